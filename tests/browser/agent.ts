@@ -45,10 +45,18 @@ export class Agent {
     this.process.kill("SIGCONT");
   }
 
+  /** As when the machine is switched off: nothing is said to anybody. */
+  async kill(): Promise<void> {
+    const ended = new Promise((resolve) => this.process.on("exit", resolve));
+    this.process.kill("SIGKILL");
+    await ended;
+  }
+
   private async stop(): Promise<void> {
     const ended = new Promise((resolve) => this.process.on("exit", resolve));
     this.thaw();
-    if (this.process.exitCode === null && this.process.kill("SIGINT")) await ended;
+    const runs = this.process.exitCode === null && this.process.signalCode === null;
+    if (runs && this.process.kill("SIGINT")) await ended;
     rmSync(this.state, { recursive: true, force: true });
   }
 }

@@ -29,6 +29,8 @@ std::string_view name(RobotLife life) {
 
 std::string failure_of(const FleetRobot& robot) {
   if (!robot.ailment.empty()) return fmt::format("its body {}", robot.ailment);
+  if (!robot.fault.empty())
+    return fmt::format("its program put out something that is no number, first at `{}`", robot.fault);
   if (robot.failure.empty()) return "";
   return fmt::format("its program `{}` {}", robot.program->name, robot.failure);
 }

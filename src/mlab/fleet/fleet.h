@@ -85,7 +85,7 @@ struct FleetRobot {
   static constexpr std::uint32_t kNoGroup = 0xffffffffU;
 };
 /// What its program or its body did instead of going on, as a sentence: `its program `scout` ended with exit
-/// status 3`. Empty: nothing.
+/// status 3`. Empty: nothing, it has no fault.
 std::string failure_of(const FleetRobot& robot);
 
 /// The robots of a run in this process: steps their programs against their bodies, all by the same seed.

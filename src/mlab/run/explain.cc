@@ -107,8 +107,6 @@ std::vector<std::string> MissionRun::explain(const fleet::FleetRobot& robot) con
   }
   if (const std::string failure = failure_of(robot); !failure.empty())
     return {fmt::format("{} stands: {}", who, failure)};
-  if (robot.life == fleet::RobotLife::kFaulted)
-    return {fmt::format("{} stands: fault at `{}`", who, robot.fault)};
   if (robot.life != fleet::RobotLife::kRunning) return {fmt::format("{} is {}", who, name(robot.life))};
 
   std::vector<std::string> out = {fmt::format("{}: {}", who, what_moves(robot))};

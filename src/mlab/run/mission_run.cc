@@ -201,12 +201,7 @@ void MissionRun::tell_faults() {
       tell(Tell::Kind::kWarning, fmt::format("{} more robots stand, because of faults", faults.size() - i));
       break;
     }
-    const std::string failure = failure_of(robot);
-    tell(Tell::Kind::kWarning,
-         failure.empty()
-             ? fmt::format("robot {} stands: its program put out something that is no number, first at `{}`",
-                           robot.id.value, robot.fault)
-             : fmt::format("robot {} stands: {}", robot.id.value, failure));
+    tell(Tell::Kind::kWarning, fmt::format("robot {} stands: {}", robot.id.value, failure_of(robot)));
   }
 }
 

@@ -164,7 +164,7 @@ Json performance_json(const MissionRun& run, const Performance& performance) {
 std::string outcome_name(const MissionRun& run, RunEnd end) {
   // The others may have done all that there was to do; the mission was theirs and that robot's.
   const bool is_broken = std::ranges::any_of(run.fleet().robots(), [](const fleet::FleetRobot& robot) {
-    return !failure_of(robot).empty() || !robot.fault.empty();
+    return !failure_of(robot).empty();
   });
   const bool is_over = run.is_over() || end == RunEnd::kByItself;
   if (is_broken && (is_over ? run.state().outcome == mission::Outcome::kDone : end == RunEnd::kTimeIsUp))

@@ -1,8 +1,10 @@
 // What is selected, and how the map follows it.
 import { kNothing, selectRobots } from "../../core/selection.ts";
+import { faulted } from "../robots/robot_state.ts";
+import { replaceRobots } from "../session/orders.ts";
 import type { ActionTable } from "../session/registry.ts";
 import type { Session } from "../session/session.ts";
-import { noRobots, nothingSelected } from "./hindrances.ts";
+import { noRobots, nothingSelected, onlyWatching } from "./hindrances.ts";
 
 export const kSelectionTable: ActionTable = {
   group: "Selection",
@@ -51,8 +53,22 @@ export const kSelectionTable: ActionTable = {
       unless: [nobodyToFollow],
       run: follow,
     },
+    {
+      id: "replace",
+      label: "Replace the selected robots that have a fault",
+      unless: [onlyWatching, nobodyFaulted],
+      run: (session) => void replaceRobots(session, faultedOf(session)),
+    },
   ],
 };
+
+function faultedOf({ model }: Session): readonly number[] {
+  return faulted(model.robots, model.get("selection").robots);
+}
+
+function nobodyFaulted(session: Session): string | undefined {
+  return faultedOf(session).length > 0 ? undefined : "No robot that is selected has a fault.";
+}
 
 function robotsOf(model: Session["model"]): number[] {
   return model.get("roster").robots.map(({ id }) => id);

@@ -1,5 +1,5 @@
 // How a robot is, in a word, from the flags of its record.
-import { Flag, Life } from "../../core/robots.ts";
+import { Flag, Life, type RobotTable } from "../../core/robots.ts";
 
 export interface RobotState {
   word: string;
@@ -18,4 +18,12 @@ export function robotState(flags: number): RobotState {
   if (flags & Flag.DONE) return { word: "Done", tone: "go" };
   if (life === Life.RUNNING) return { word: "Running", tone: "go" };
   return { word: "Not started", tone: "" };
+}
+
+/** Of these robots those that stand because of a fault. */
+export function faulted(table: RobotTable, robots: readonly number[]): readonly number[] {
+  return robots.filter((id) => {
+    const row = table.rowOf(id);
+    return row >= 0 && (table.flags(row) & 7) === Life.FAULTED;
+  });
 }

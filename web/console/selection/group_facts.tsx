@@ -3,8 +3,10 @@ import { Button } from "../../ui/controls/controls.tsx";
 import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance, duration } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
+import { faulted } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session/session.ts";
 import { groupNumbers } from "./group.ts";
+import { ReplaceButton } from "./replace_button.tsx";
 
 /** A unit, or several robots, in short. */
 export function GroupFacts({ robots, unit }: { robots: readonly number[]; unit: string }) {
@@ -13,6 +15,7 @@ export function GroupFacts({ robots, unit }: { robots: readonly number[]; unit: 
   const status = usePart("status");
   const roster = usePart("roster");
   const numbers = groupNumbers(model, robots);
+  const broken = faulted(model.robots, robots);
   return (
     <div className="rows tab-body">
       <div className="columns">
@@ -26,6 +29,7 @@ export function GroupFacts({ robots, unit }: { robots: readonly number[]; unit: 
           </Button>
         ))}
       </div>
+      {broken.length > 0 && <ReplaceButton robots={broken} />}
       <FactList
         rows={[
           ...(unit ? [["Command", commandOfUnit(status, unit) || "none"] as const] : []),

@@ -26,6 +26,14 @@ export function askFirst(session: Session, action: Control_Action.ABORT | Contro
   else session.ui.set("dialog", action === Control_Action.ABORT ? "abort" : "restart");
 }
 
+/** Others of their type take their places. What goes wrong with one is shown, and the rest is left as it is. */
+export async function replaceRobots(session: Session, robots: readonly number[]): Promise<void> {
+  for (const robot of robots) {
+    const { ok } = await order(session, { case: "replaceRobot", value: { robot } });
+    if (!ok) return;
+  }
+}
+
 export function answer(session: Session, question: number, proceed: boolean): void {
   void order(session, { case: "answer", value: { question, proceed } });
 }

@@ -180,7 +180,7 @@ void encode_detail(const run::MissionRun& run, const Estimates& estimates, const
                    const DetailWishes& wishes, RobotDetail& out) {
   out.set_id(robot.id.value);
   out.set_life(std::string(name(robot.life)));
-  out.set_fault(clean(robot.fault));
+  out.set_fault(clean(failure_of(robot)));
   out.set_failsafe(clean(run.fleet().failsafe(robot)));
   if (robot.runner != nullptr) out.set_machine(clean(robot.runner->machine(robot.member)));
   if (robot.workings().program) encode_program(run, robot, wishes, out);

@@ -64,12 +64,9 @@ void Alarms::look_at(const run::MissionRun& run, const FleetRobot& robot, Robot&
   if (robot.life == RobotLife::kNotStarted) return;
   if (robot.life != known.life) {
     if (robot.life == RobotLife::kFaulted) {
-      const std::string failure = fleet::failure_of(robot);
-      log.add(run.time(), entry(Log::LOST,
-                                failure.empty() ? fmt::format("robot {} stands: fault at `{}`",
-                                                              robot.id.value, robot.fault)
-                                                : fmt::format("robot {} stands: {}", robot.id.value, failure),
-                                robot, run.fleet().pose(robot).position, true));
+      log.add(run.time(),
+              entry(Log::LOST, fmt::format("robot {} stands: {}", robot.id.value, fleet::failure_of(robot)),
+                    robot, run.fleet().pose(robot).position, true));
     }
     if (known.life == RobotLife::kNotStarted || known.life == RobotLife::kStopped) known.contacts = 0;
     known.life = robot.life;

@@ -1,0 +1,45 @@
+// A robot whose machine is lost: another one takes its place, on the machine that is left, and the mission goes on.
+import { expect, test } from "vitest";
+import { Agent } from "./agent.ts";
+import { begin } from "./begin.ts";
+
+test("robots of a machine that is lost are replaced, and go on under their orders", async () => {
+  const fleet = `replaced-${process.pid}`;
+  const north = await Agent.start(fleet, "north");
+  await Agent.start(fleet, "south");
+  const { console } = await begin({
+    mission: "demo_c",
+    options: ["--robots", "fleet", "--fleet", fleet, "--speed", "5"],
+  });
+  const { page } = console;
+  await console.main.click();
+  await console.reaches("Running");
+  await console.passes(2);
+  await north.kill();
+  const log = await console.panel("Log");
+  const stands = log.getByText(/^Robot \d stands: .*the agent on .north/).first();
+  await stands.waitFor();
+  const lost = /^Robot \d/.exec((await stands.textContent()) ?? "")?.[0] ?? "";
+
+  await console.select(lost);
+  const selection = await console.panel("Selection");
+  await selection.getByText("Faulted", { exact: true }).waitFor();
+  await selection.getByText(/the agent on .north. was silent/).waitFor();
+  const replace = selection.getByRole("button", { name: /^Replace/ });
+  await replace.click();
+  await selection.getByText("Running", { exact: true }).waitFor();
+  await selection.getByText("south", { exact: true }).waitFor();
+  await expect.poll(() => replace.count()).toBe(0);
+  await selection.getByText(/OCCUPY AA-AA1/).waitFor();
+
+  // The rest of them at once.
+  await page.getByRole("application").first().focus();
+  await page.keyboard.press("Control+a");
+  await selection.getByText(/^\d faulted$/).waitFor();
+  await replace.click();
+  await selection.getByText("4 running", { exact: true }).waitFor();
+  const replaced = (await console.panel("Log")).getByText(
+    /is replaced by another ROBOT, on south: its program begins anew/,
+  );
+  await expect.poll(() => replaced.count()).toBe(2);
+});
