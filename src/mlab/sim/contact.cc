@@ -3,11 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mlab/sim/sweep.h"
+#include "mlab/binding/sweep.h"
 
 namespace mlab::sim {
 namespace {
 
+using binding::kSkin;
+using binding::kTouch;
+using binding::meet;
+using binding::meets_disc;
+using binding::meets_edge;
+using binding::meets_wall;
+using binding::Mover;
+using binding::slide;
 using geom::Offset;
 using geom::Point;
 
@@ -32,34 +40,14 @@ const Box& area_of(const Bodies& bodies, const ContactSolver::Surroundings& s, s
   return bodies.held[body] ? s.area : kWholeWorld;
 }
 
-/// The half-plane that keeps a body off something at `nearest`; only where it touches it.
-void add_blocker(Blockers& blockers, Point body, Point nearest, double radius, double going_away,
-                 Thing thing) {
-  const Offset toward = nearest - body;
-  const double distance = length(toward);
-  const double gap = distance - radius - kSkin;
-  if (gap > kTouch || distance <= 0.0) return;
-  blockers.add({toward * (1.0 / distance), gap + going_away, thing});
-}
-
 void add_static_blockers(Blockers& blockers, const Statics& statics, Point body, double radius) {
   const Box box = Box::around(body.x, body.y, radius + kSkin + kTouch);
   statics.visit_discs(box, [&](std::uint32_t index, const Disc& disc) {
-    add_blocker(blockers, body, disc.center, radius + disc.radius, 0.0, thing_of_disc(index));
+    blockers.keep_off(body, disc.center, radius + disc.radius, 0.0, thing_of_disc(index));
   });
   statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
-    add_blocker(blockers, body, nearest_point(wall.segment, body), radius, 0.0, thing_of_wall(wall.group));
+    blockers.keep_off(body, nearest_point(wall.segment, body), radius, 0.0, thing_of_wall(wall.group));
   });
-}
-
-void add_edges(Blockers& blockers, const Box& area, Point body, double way) {
-  const auto add = [&](Offset toward, double gap) {
-    if (gap < way) blockers.add({toward, std::max(0.0, gap), kNoThing});
-  };
-  add({1, 0}, area.x1 - body.x);
-  add({-1, 0}, body.x - area.x0);
-  add({0, 1}, area.y1 - body.y);
-  add({0, -1}, body.y - area.y0);
 }
 
 }  // namespace
@@ -241,7 +229,8 @@ void ContactSolver::slide_one(const Bodies& bodies, const Surroundings& s, Busy&
   const Point here = bodies.position(i);
   Blockers blockers;
   add_static_blockers(blockers, s.statics, here, bodies.radius[i]);
-  add_edges(blockers, area_of(bodies, s, i), here, length(busy.wanted));
+  const Box& area = area_of(bodies, s, i);
+  blockers.keep_within({area.x0, area.y0}, {area.x1, area.y1}, here, length(busy.wanted), kNoThing);
   busy.touches_bodies = false;
   for_each_near(bodies, s, busy, [&](std::uint32_t other) {
     const Offset between = bodies.position(other) - here;
@@ -249,8 +238,8 @@ void ContactSolver::slide_one(const Bodies& bodies, const Surroundings& s, Busy&
     if (gap > kTouch || length(between) <= 0.0) return;
     busy.touches_bodies = true;
     const double away = std::max(0.0, dot(motion_[other], between) / length(between));
-    add_blocker(blockers, here, bodies.position(other), bodies.radius[i] + bodies.radius[other], away,
-                thing_of_body(other));
+    blockers.keep_off(here, bodies.position(other), bodies.radius[i] + bodies.radius[other], away,
+                      thing_of_body(other));
   });
   busy.slid = slide(busy.wanted, blockers);
   if (!is_first) return;
@@ -280,13 +269,7 @@ void ContactSolver::stop_at_statics(const Bodies& bodies, const Surroundings& s,
     stop(meets_wall(wall.segment, from, motion, radius), thing_of_wall(wall.group));
   });
   const Box& area = area_of(bodies, s, i);
-  const auto stop_at_edge = [&](double speed, double gap) {
-    if (speed > 0.0 && gap < speed * busy.until) stop(std::max(0.0, gap) / speed, kNoThing);
-  };
-  stop_at_edge(motion.x, area.x1 - from.x);
-  stop_at_edge(-motion.x, from.x - area.x0);
-  stop_at_edge(motion.y, area.y1 - from.y);
-  stop_at_edge(-motion.y, from.y - area.y0);
+  stop(meets_edge({area.x0, area.y0}, {area.x1, area.y1}, from, motion), kNoThing);
 }
 
 /// Passes over all busy bodies, each against where the pass before made its neighbours stop, until none has

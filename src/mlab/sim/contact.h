@@ -8,11 +8,13 @@
 #include "mlab/binding/workers.h"
 #include "mlab/sim/bodies.h"
 #include "mlab/sim/point_grid.h"
-#include "mlab/sim/slide.h"
+#include "mlab/binding/slide.h"
 #include "mlab/sim/statics.h"
 
 namespace mlab::sim {
 
+using binding::Blocker;
+using binding::Blockers;
 using binding::Workers;
 
 /// Moves bodies as far as what is in their way allows.

@@ -1,14 +1,17 @@
-#include "mlab/sim/slide.h"
+#include "mlab/binding/slide.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-namespace mlab::sim {
+#include "mlab/binding/sweep.h"
+
+namespace mlab::binding {
 namespace {
 
 using geom::Offset;
+using geom::Point;
 
 bool is_allowed(Offset motion, const Blockers& blockers, double tolerance) {
   return std::all_of(blockers.begin(), blockers.end(),
@@ -69,6 +72,24 @@ void Blockers::add(const Blocker& blocker) {
   if (count_ < kMost) list_[count_++] = moving;
 }
 
+void Blockers::keep_off(Point body, Point nearest, double radius, double going_away, std::uint32_t thing) {
+  const Offset toward = nearest - body;
+  const double distance = length(toward);
+  const double gap = distance - radius - kSkin;
+  if (gap > kTouch || distance <= 0.0) return;
+  add({toward * (1.0 / distance), gap + going_away, thing});
+}
+
+void Blockers::keep_within(Point low, Point high, Point body, double way, std::uint32_t thing) {
+  const auto keep = [&](Offset toward, double gap) {
+    if (gap < way) add({toward, std::max(0.0, gap), thing});
+  };
+  keep({1, 0}, high.x - body.x);
+  keep({-1, 0}, body.x - low.x);
+  keep({0, 1}, high.y - body.y);
+  keep({0, -1}, body.y - low.y);
+}
+
 Blockers Blockers::without_backing_off() const {
   Blockers relaxed = *this;
   for (std::size_t i = 0; i < count_; ++i) relaxed.list_[i].gap = std::max(0.0, list_[i].gap);
@@ -80,4 +101,4 @@ Offset slide(Offset wanted, const Blockers& blockers) {
   return slid ? *slid : nearest_allowed(wanted, blockers.without_backing_off()).value_or(Offset{});
 }
 
-}  // namespace mlab::sim
+}  // namespace mlab::binding

@@ -1,4 +1,4 @@
-#include "mlab/sim/sweep.h"
+#include "mlab/binding/sweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "mlab/base/random.h"
 
-namespace mlab::sim {
+namespace mlab::binding {
 namespace {
 
 using geom::Offset;
@@ -94,4 +94,4 @@ TEST(Sweep, NoWallIsComeNearerToThanTheRadiusBeforeItIsMet) {
 }
 
 }  // namespace
-}  // namespace mlab::sim
+}  // namespace mlab::binding

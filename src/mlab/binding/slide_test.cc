@@ -1,4 +1,4 @@
-#include "mlab/sim/slide.h"
+#include "mlab/binding/slide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "mlab/base/random.h"
 
-namespace mlab::sim {
+namespace mlab::binding {
 namespace {
 
 using geom::Offset;
@@ -86,4 +86,4 @@ TEST(Slide, KeepsTheNearestThingsWhereThereAreTooMany) {
 }
 
 }  // namespace
-}  // namespace mlab::sim
+}  // namespace mlab::binding

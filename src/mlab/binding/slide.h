@@ -5,7 +5,7 @@
 
 #include "mlab/geom/pose.h"
 
-namespace mlab::sim {
+namespace mlab::binding {
 
 /// A half-plane that a motion must not leave: dot(motion, toward) <= gap.
 struct Blocker {
@@ -19,6 +19,13 @@ class Blockers {
  public:
   static constexpr std::size_t kMost = 10;
   void add(const Blocker& blocker);
+  /// Keeps a body off something, where it touches it.
+  /// @param nearest     the place of the thing from which the distance counts [m]
+  /// @param radius      that has to be between them [m]
+  /// @param going_away  so far the thing itself goes that way [m]
+  void keep_off(geom::Point body, geom::Point nearest, double radius, double going_away, std::uint32_t thing);
+  /// Keeps a body's centre in a box that it might leave by a motion of this length [m].
+  void keep_within(geom::Point low, geom::Point high, geom::Point body, double way, std::uint32_t thing);
   /// The same, but nobody has to back off.
   Blockers without_backing_off() const;
   const Blocker* begin() const { return list_.data(); }
@@ -33,4 +40,4 @@ class Blockers {
 /// does when it slides without friction. Zero where there is none.
 geom::Offset slide(geom::Offset wanted, const Blockers& blockers);
 
-}  // namespace mlab::sim
+}  // namespace mlab::binding

@@ -2,7 +2,7 @@
 
 #include "mlab/geom/pose.h"
 
-namespace mlab::sim {
+namespace mlab::binding {
 
 /// Bodies stop this far from what they meet. It absorbs all rounding, so that they never overlap [m].
 inline constexpr double kSkin = 2e-6;
@@ -28,6 +28,9 @@ double meets_disc(geom::Offset relative, geom::Offset motion, double radius);
 /// @param from  where the point is at time 0 [m]
 double meets_wall(const geom::Segment& wall, geom::Point from, geom::Offset motion, double radius);
 
+/// When a point leaves a box; kNever where it does not. 0 where it is outside, and goes on.
+double meets_edge(geom::Point low, geom::Point high, geom::Point from, geom::Offset motion);
+
 /// The piece of a motion that two moving bodies make: each moves evenly until its own time and stands from
 /// then on.
 struct Mover {
@@ -38,4 +41,4 @@ struct Mover {
 /// When two movers meet, as meets_disc says.
 double meet(const Mover& a, const Mover& b, double radius);
 
-}  // namespace mlab::sim
+}  // namespace mlab::binding

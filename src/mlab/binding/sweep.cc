@@ -1,9 +1,9 @@
-#include "mlab/sim/sweep.h"
+#include "mlab/binding/sweep.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace mlab::sim {
+namespace mlab::binding {
 
 using geom::Offset;
 using geom::Point;
@@ -82,4 +82,16 @@ double meet(const Mover& a, const Mover& b, double radius) {
   return later <= 1.0 ? both + later * one : kNever;
 }
 
-}  // namespace mlab::sim
+double meets_edge(Point low, Point high, Point from, Offset motion) {
+  double out = kNever;
+  const auto meet_one = [&](double speed, double gap) {
+    if (speed > 0.0 && gap < speed) out = std::min(out, std::max(0.0, gap) / speed);
+  };
+  meet_one(motion.x, high.x - from.x);
+  meet_one(-motion.x, from.x - low.x);
+  meet_one(motion.y, high.y - from.y);
+  meet_one(-motion.y, from.y - low.y);
+  return out;
+}
+
+}  // namespace mlab::binding
