@@ -1,7 +1,9 @@
 #include "mlab/fleet/failsafes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 namespace mlab::fleet {
 namespace {
@@ -14,6 +16,8 @@ constexpr double kGetsOn = 0.5;         // who has come so far is not stuck [m]
 constexpr double kIsHome = 0.5;         // [m]
 constexpr double kReversed = 3.0;       // from the line [m]
 constexpr double kReverseSpeed = 0.5;   // [m/s]
+constexpr double kReverseSpin = 1.0;    // [rad/s]
+constexpr double kAlongTheLine = 0.7;   // cosine between a heading and the way inside, below which it leads along
 constexpr double kTurnsBack = 0.5;      // nearer to a fence it has to turn back to be free again [m]
 constexpr double kPassingSphere = Situation::kSight;
 constexpr double kMostPush = 2.0;  // against one step towards the goal
@@ -21,8 +25,8 @@ constexpr double kClear = 0.5;     // between its body and what it passes [m]
 
 static_assert(mission::kMostFailsafes <= 16, "Situation::rows has a bit for each");
 
-bool is_own(const Situation& situation, std::size_t row) {
-  return (situation.rows >> row & 1U) != 0;
+bool is_own(std::uint16_t rows, std::size_t row) {
+  return (rows >> row & 1U) != 0;
 }
 
 // It brakes. What it asks for, and what it says of its order, are not motion.
@@ -73,73 +77,139 @@ std::uint16_t Failsafes::rows_of(std::string_view type) const {
   return static_cast<std::uint16_t>(out);
 }
 
+// It stands on when what was wrong is over.
+bool Failsafes::goes_on(std::size_t row) const {
+  const FailsafeAction action = rows_[row].action;
+  return action == FailsafeAction::kReturn || action == FailsafeAction::kReverseInside;
+}
+
+template <class Visit>
+void Failsafes::for_each_own(const Situation& situation, Visit&& visit) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (is_own(situation.rows, i)) visit(i);
+  }
+}
+
+percept::Needs Failsafes::needs(std::uint16_t rows, const FailsafeState& state) const {
+  percept::Needs out;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (is_own(rows, i) && rows_[i].condition == FailsafeCondition::kInContact)
+      out.want(percept::Sensor::kTouch);
+  }
+  if (!returns(state)) return out;
+  out.want(percept::Sensor::kObstacles, Situation::kSight);
+  out.want(percept::Sensor::kRobots, Situation::kSight);
+  return out;
+}
+
+double Failsafes::passage_reach(const Situation& situation, const percept::Action& wanted, double dt) const {
+  const double far = Fence::reach(*situation.kinematics, wanted, situation.motion, dt) + situation.radius;
+  bool is_near = false;
+  for_each_own(situation, [&](std::size_t i) {
+    is_near = is_near || (rows_[i].condition == FailsafeCondition::kOutside &&
+                          fences_[i].depth(situation.motion.pose.position) <= far + kTurnsBack);
+  });
+  return is_near ? far : 0.0;
+}
+
+// Who has come no half metre further, though he wants to, and no other failsafe makes him stand.
+bool Failsafes::makes_no_way(const Situation& situation, const percept::Action& wanted,
+                             FailsafeState& state) const {
+  const bool is_held = state.active != FailsafeState::kNone &&
+                       rows_[state.active].action != FailsafeAction::kContinue &&
+                       rows_[state.active].condition != FailsafeCondition::kStuck;
+  const bool wants = wanted.drives && geom::length(wanted.velocity) > kWantsToDrive && !is_held;
+  const geom::Point here = situation.motion.pose.position;
+  if (wants && state.has_anchor && geom::distance(here, state.anchor) < kGetsOn) return true;
+  state.anchor = here;
+  state.has_anchor = wants;
+  return false;
+}
+
 bool Failsafes::holds(std::size_t row, const Situation& situation, const percept::Action& wanted, double dt,
-                      FailsafeState& state) const {
+                      const FailsafeState& state) const {
   switch (rows_[row].condition) {
     case FailsafeCondition::kOutside: {
       const double margin = state.is_met[row] ? kTurnsBack : 0.0;
       return !fences_[row].allows(*situation.kinematics, wanted, situation.motion, situation.radius + margin,
-                                  dt) ||
+                                  dt, *situation.passage) ||
              fences_[row].depth(situation.motion.pose.position) < 0.0;
     }
     case FailsafeCondition::kInContact:
       return situation.is_in_contact;
-    case FailsafeCondition::kStuck: {
-      const bool wants = wanted.drives && geom::length(wanted.velocity) > kWantsToDrive;
-      const geom::Point here = situation.motion.pose.position;
-      if (!wants || !state.has_anchor || geom::distance(here, state.anchor) >= kGetsOn) {
-        state.anchor = here;
-        state.has_anchor = wants;
-        return false;
-      }
-      return true;
-    }
+    case FailsafeCondition::kStuck:
+      return state.makes_no_way;
     case FailsafeCondition::kLinkLost:
       return situation.silence > 0.0;
   }
   return false;
 }
 
-// The first row whose condition has now held for long enough, and did not before.
-std::optional<std::size_t> Failsafes::newly_met(const Situation& situation, const percept::Action& wanted,
-                                                double dt, FailsafeState& state) const {
+// A robot that begins outside has not left: it is let in first.
+std::optional<std::size_t> Failsafes::begin(const Situation& situation, FailsafeState& state) const {
   std::optional<std::size_t> out;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (!is_own(situation, i)) continue;
+  if (std::exchange(state.has_begun, true)) return out;
+  for_each_own(situation, [&](std::size_t i) {
+    if (rows_[i].condition != FailsafeCondition::kOutside ||
+        fences_[i].depth(situation.motion.pose.position) >= situation.radius)
+      return;
+    state.is_met[i] = true;
+    if (!out) out = i;
+  });
+  return out;
+}
+
+// The rows whose conditions have now held for long enough, and did not before; a bit for each.
+std::uint16_t Failsafes::newly_met(const Situation& situation, const percept::Action& wanted, double dt,
+                                   FailsafeState& state) const {
+  unsigned out = 0;
+  state.makes_no_way = makes_no_way(situation, wanted, state);
+  for_each_own(situation, [&](std::size_t i) {
     const bool is_true = holds(i, situation, wanted, dt, state);
     const double before = state.held[i];
     state.held[i] = !is_true                                             ? 0.0
                     : rows_[i].condition == FailsafeCondition::kLinkLost ? situation.silence
                                                                          : before + dt;
     const bool is_met = is_true && state.held[i] >= rows_[i].seconds;
-    if (is_met && !state.is_met[i] && !out) out = i;
+    if (is_met && !state.is_met[i]) out |= 1U << i;
     state.is_met[i] = is_met;
-  }
-  return out;
+  });
+  return static_cast<std::uint16_t>(out);
 }
 
-bool Failsafes::is_over(const Situation& situation, const FailsafeState& state) const {
-  if (situation.is_steered || situation.order != state.order) return true;
-  const FailsafeAction action = rows_[state.active].action;
-  const bool waits = action == FailsafeAction::kHold || action == FailsafeAction::kContinue;
-  return waits && !state.is_met[state.active];
+// What is over, and what would have acted but for it.
+void Failsafes::end(const Situation& situation, FailsafeState& state, Outcome& out) const {
+  if (state.active != FailsafeState::kNone) {
+    const bool is_escaped = situation.is_steered || situation.order != state.order;
+    if (is_escaped) state.waiting = 0;
+    out.is_over = is_escaped || (!goes_on(state.active) && !state.is_met[state.active]);
+    if (out.is_over) state.active = FailsafeState::kNone;
+  }
+  for_each_own(situation, [&](std::size_t i) {
+    if (!state.is_met[i] && !goes_on(i)) state.waiting &= static_cast<std::uint16_t>(~(1U << i));
+  });
 }
 
 void Failsafes::reverse(const Fence& fence, const Situation& situation, percept::Action& action) const {
   stand(action);
   const geom::Pose& pose = situation.motion.pose;
-  const double depth = fence.depth(pose.position);
-  if (depth - situation.radius >= kReversed) return;
-  // From outside towards the line, from inside away from it.
-  const geom::Vector to_line = geom::unit(pose.to_robot(fence.nearest(pose.position)));
-  const geom::Vector way = depth < 0.0 ? to_line : -to_line;
+  if (fence.depth(pose.position) - situation.radius >= kReversed) return;
+  const geom::Offset inward = fence.inward(pose.position);
+  const geom::Vector way = pose.to_robot(pose.position + inward);
   action.drives = true;
   if (situation.kinematics->drive == binding::Drive::kHolonomic) {
     action.velocity = way * kReverseSpeed;
     return;
   }
-  action.velocity = {way.x < 0.0 ? -kReverseSpeed : kReverseSpeed, 0.0, 0.0};
-  action.spins = true;  // straight, and backwards where that is the way
+  // Forwards or backwards, whichever way leads inside, and round until it leads straight there. Who can turn on
+  // the spot does that first.
+  const double ahead = way.x < 0.0 ? -1.0 : 1.0;
+  const bool turns_first =
+      situation.kinematics->drive != binding::Drive::kCar && std::abs(way.x) < kAlongTheLine;
+  action.velocity = {turns_first ? 0.0 : ahead * kReverseSpeed, 0.0, 0.0};
+  action.spins = true;
+  const double error = std::atan2(ahead * way.y, ahead * way.x);
+  action.spin = std::clamp(error, -kReverseSpin, kReverseSpin);
 }
 
 void Failsafes::act(const mission::Failsafe& row, const Situation& situation, percept::Action& action) const {
@@ -162,22 +232,29 @@ void Failsafes::act(const mission::Failsafe& row, const Situation& situation, pe
 Failsafes::Outcome Failsafes::guard(const Situation& situation, double dt, FailsafeState& state,
                                     percept::Action& action) const {
   Outcome out;
-  const std::optional<std::size_t> met = newly_met(situation, action, dt, state);
-  if (state.active != FailsafeState::kNone && is_over(situation, state)) {
-    state.active = FailsafeState::kNone;
-    out.is_over = true;
-  }
-  if (met && *met < state.active) {
-    state.active = static_cast<std::uint8_t>(*met);
+  out.outside = begin(situation, state);
+  const unsigned met = newly_met(situation, action, dt, state);
+  end(situation, state, out);
+  state.waiting |= static_cast<std::uint16_t>(met);
+  const auto first = static_cast<std::size_t>(std::countr_zero(state.waiting));
+  if (state.waiting != 0 && first < state.active) {
+    unsigned waiting = state.waiting & ~(1U << first);
+    if (state.active != FailsafeState::kNone) {
+      out.gave_way = state.active;
+      waiting |= 1U << state.active;
+    }
+    state.waiting = static_cast<std::uint16_t>(waiting);
+    state.active = static_cast<std::uint8_t>(first);
     state.order = situation.order;
-    out.triggered = met;
+    out.triggered = first;
   }
   if (state.active != FailsafeState::kNone) act(rows_[state.active], situation, action);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].condition == FailsafeCondition::kOutside && is_own(situation, i) &&
-        !fences_[i].allows(*situation.kinematics, action, situation.motion, situation.radius, dt))
+  for_each_own(situation, [&](std::size_t i) {
+    if (rows_[i].condition == FailsafeCondition::kOutside &&
+        !fences_[i].allows(*situation.kinematics, action, situation.motion, situation.radius, dt,
+                           *situation.passage))
       stand(action);
-  }
+  });
   return out;
 }
 

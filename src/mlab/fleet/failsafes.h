@@ -13,6 +13,7 @@
 #include "mlab/geom/pose.h"
 #include "mlab/mission/failsafe.h"
 #include "mlab/percept/action.h"
+#include "mlab/percept/needs.h"
 
 namespace mlab::fleet {
 
@@ -25,7 +26,8 @@ struct Situation {
   const binding::Kinematics* kinematics = nullptr;
   double radius = 0.0;        ///< of its body [m]
   double cruise_speed = 1.0;  ///< with which it returns [m/s]
-  bool is_in_contact = false;
+  bool is_in_contact = false;                  ///< its body touches something
+  const binding::Passage* passage = nullptr;   ///< what is in its way before a fence
   double silence = 0.0;     ///< so long nothing has been heard of its program [s]
   std::uint32_t order = 0;  ///< number of the order that it carries out
   bool is_steered = false;  ///< a person steers it
@@ -40,9 +42,12 @@ struct FailsafeState {
   std::array<double, mission::kMostFailsafes> held{};  ///< by row: for how long its condition has held [s]
   std::array<bool, mission::kMostFailsafes> is_met{};  ///< by row: it has held for long enough
   std::uint8_t active = kNone;                         ///< the row whose action is carried out
+  std::uint16_t waiting = 0;  ///< rows that have been met while one of higher rank acted, a bit for each
+  bool has_begun = false;     ///< it was looked at
   std::uint32_t order = 0;                             ///< the order that the robot had when that began
   bool has_anchor = false;
-  geom::Point anchor;  ///< from where it came no half metre further
+  geom::Point anchor;         ///< from where it came no half metre further
+  bool makes_no_way = false;  ///< though it wants to
 };
 
 /// The ranked table of failsafes, below the behaviors: what a robot's program wants passes through here. A
@@ -68,10 +73,18 @@ class Failsafes {
            (returns(state) || rows_[state.active].action == mission::FailsafeAction::kReverseInside);
   }
 
+  /// What these rows look at, and what their actions find their way by.
+  percept::Needs needs(std::uint16_t rows, const FailsafeState& state) const;
+  /// What in a robot's surroundings may lead it aside before a fence is this near to it [m]. 0: nothing has to
+  /// be known.
+  double passage_reach(const Situation& situation, const percept::Action& wanted, double dt) const;
+
   /// What began in a cycle.
   struct Outcome {
     std::optional<std::size_t> triggered;  ///< the row that has come into force
+    std::optional<std::size_t> gave_way;   ///< to it: the one that was in force, and may be again
     bool is_over = false;                  ///< the one that was in force is no longer
+    std::optional<std::size_t> outside;    ///< the fence that it has begun outside of
   };
   /// One robot's cycle.
   ///
@@ -79,11 +92,17 @@ class Failsafes {
   Outcome guard(const Situation& situation, double dt, FailsafeState& state, percept::Action& action) const;
 
  private:
+  /// A row among those that are the robot's own.
+  template <class Visit>
+  void for_each_own(const Situation& situation, Visit&& visit) const;
   bool holds(std::size_t row, const Situation& situation, const percept::Action& wanted, double dt,
-             FailsafeState& state) const;
-  std::optional<std::size_t> newly_met(const Situation& situation, const percept::Action& wanted, double dt,
-                                       FailsafeState& state) const;
-  bool is_over(const Situation& situation, const FailsafeState& state) const;
+             const FailsafeState& state) const;
+  bool makes_no_way(const Situation& situation, const percept::Action& wanted, FailsafeState& state) const;
+  std::uint16_t newly_met(const Situation& situation, const percept::Action& wanted, double dt,
+                          FailsafeState& state) const;
+  std::optional<std::size_t> begin(const Situation& situation, FailsafeState& state) const;
+  void end(const Situation& situation, FailsafeState& state, Outcome& out) const;
+  bool goes_on(std::size_t row) const;
   void act(const mission::Failsafe& row, const Situation& situation, percept::Action& action) const;
   void reverse(const Fence& fence, const Situation& situation, percept::Action& action) const;
 

@@ -30,6 +30,7 @@ struct Robot {
   FailsafeState state;
   Situation situation;
   percept::Action action;
+  binding::Passage nothing;
 
   explicit Robot(const std::vector<Failsafe>& rows) : failsafes(rows) {
     situation.motion.pose.position = {50, 30};
@@ -38,6 +39,7 @@ struct Robot {
   }
   Failsafes::Outcome step(double speed = 1.0) {
     situation.kinematics = &kinematics;
+    situation.passage = &nothing;
     action = {};
     action.drives = true;
     action.velocity = {speed, 0.0, 0.0};

@@ -5,16 +5,16 @@
 
 #include "mlab/binding/body.h"
 #include "mlab/binding/kinematics.h"
+#include "mlab/binding/passage.h"
 #include "mlab/geom/pose.h"
 #include "mlab/percept/action.h"
 
 namespace mlab::fleet {
 
-/// How a body moves between two cycles, as far as it is known.
+/// A body between two cycles, as far as it is known.
 struct Motion {
   geom::Pose pose;
-  geom::Offset velocity;   ///< [m/s, world]
-  double turn_rate = 0.0;  ///< [rad/s]
+  binding::Momentum momentum;
 };
 
 /// A closed line that robots stay within. A body that can still stop within it may do what it wants, another
@@ -29,15 +29,25 @@ class Fence {
   /// The place on the line that is nearest.
   geom::Point nearest(geom::Point place) const;
 
+  /// A way by which depth grows. [unit vector, world]; zero on a fence without any
+  geom::Offset inward(geom::Point place) const;
+
   /// Whether the body stays within if it does this for a cycle and then brakes; from outside, whether it
   /// comes back.
   ///
-  /// @param radius  of the body [m]
-  /// @param dt      of a cycle [s], > 0
+  /// @param radius   of the body [m]
+  /// @param dt       of a cycle [s], > 0
+  /// @param passage  what is in its way, and may lead it aside
   bool allows(const binding::Kinematics& kinematics, const percept::Action& action, const Motion& motion,
-              double radius, double dt) const;
+              double radius, double dt, const binding::Passage& passage) const;
+  /// How far a body comes, at the most, that does this for a cycle and then brakes [m]. What is farther away
+  /// from it can't lead it aside.
+  static double reach(const binding::Kinematics& kinematics, const percept::Action& action,
+                      const Motion& motion, double dt);
 
  private:
+  class Border;
+
   std::vector<geom::Segment> sides_;
 };
 

@@ -39,7 +39,7 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
              const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed,
              std::unique_ptr<robot::ProgramRunner> elsewhere)
     : binding_(binding),
-      failsafes_(mission.failsafes),
+      failsafes_({}),
       workers_(static_cast<std::size_t>(binding.workers().count())),
       runners_(seed, binding.workers().count(), std::move(elsewhere)) {
   for (const mission::Robot& declared : mission.robots) {
@@ -51,7 +51,7 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
   poses_.resize(robots_.size());
   bodies_.resize(robots_.size(), binding::kNoBody);
   form_teams(mission);
-  for (FleetRobot& robot : robots_) robot.failsafes = failsafes_.rows_of(robot.type);
+  exchange_failsafes(mission);
 }
 
 /// A team is the outermost unit that a robot belongs to; a robot of no unit is a team of its own.
@@ -422,6 +422,13 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
       worker.members[last] = robots_[worker.robots[last]].member;
     runner.needs({&worker.members[first], last - first}, {&worker.needs[first], last - first});
   }
+  const auto failsafe_needs = [&](std::size_t i) {
+    const FleetRobot& robot = robots_[worker.robots[i]];
+    return robot.failsafes == 0 ? percept::Needs{} : failsafes_.needs(robot.failsafes, robot.failsafe);
+  };
+  if (!failsafes_.empty()) {
+    for (std::size_t i = 0; i < count; ++i) worker.needs[i].add(failsafe_needs(i));
+  }
   for (std::size_t i = 0; i < count; ++i) {
     std::construct_at(&worker.percepts[i]);  // an assignment would copy what it makes
     worker.senses[i] = {robots_[worker.robots[i]].body, &worker.needs[i], &worker.percepts[i]};
@@ -429,6 +436,7 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
   binding_.percepts({worker.senses.data(), count}, index);
   for (std::size_t i = 0; i < count; ++i) {
     FleetRobot& robot = robots_[worker.robots[i]];
+    if (robot.failsafes != 0) note_seen(worker.robots[i], failsafe_needs(i), worker.percepts[i]);
     add_told(robot, dt, worker.percepts[i]);
     worker.turns[i] = {robot.member, &worker.percepts[i], &robot.action, &robot.fault, &robot.failure};
   }

@@ -233,7 +233,15 @@ class Fleet {
   /// Its program is gone, its body goes on.
   void go_on_by_failsafe(FleetRobot& robot, double dt);
   void exchange_failsafes(const mission::Mission& mission);
-  Situation situation_of(const FleetRobot& robot) const;
+  /// What failsafes of a robot sensed in this cycle.
+  struct Seen {
+    bool touches = false;
+    std::vector<percept::Obstacle> obstacles;
+    std::vector<percept::RobotReading> others;
+  };
+  void note_seen(std::size_t robot, const percept::Needs& needs, const percept::Percepts& percepts);
+  Situation situation_of(const FleetRobot& robot, double dt);
+  void look_for_passage(const FleetRobot& robot, double reach);
 
   binding::Binding& binding_;
   std::vector<FleetRobot> robots_;          // by id, ascending
@@ -241,6 +249,9 @@ class Fleet {
   std::vector<geom::Pose> poses_;           // at the start of the cycle
   Messages messages_;
   Failsafes failsafes_;
+  std::vector<Seen> seen_;  // by index of robots_, where there are failsafes
+  binding::Passage passage_;
+  overlay::Area area_;  // of the mission
   std::vector<Group> groups_;  // slots are used again
   std::vector<std::uint32_t> free_groups_;
   std::vector<percept::Action> actions_;  // by body

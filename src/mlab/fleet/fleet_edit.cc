@@ -112,6 +112,9 @@ void Fleet::exchange_failsafes(const mission::Mission& mission) {
   const auto is_same = [](const mission::Failsafe& a, const mission::Failsafe& b) { return a.is_same(b); };
   const bool has_changed = !std::ranges::equal(failsafes_.rows(), mission.failsafes, is_same);
   if (has_changed) failsafes_ = Failsafes(mission.failsafes);
+  seen_.clear();
+  if (!failsafes_.empty()) seen_.resize(robots_.size());
+  area_ = mission.overlay.mission_area();
   for (FleetRobot& robot : robots_) {
     robot.failsafes = failsafes_.rows_of(robot.type);
     if (has_changed) robot.failsafe = {};

@@ -1,3 +1,6 @@
+#include <string>
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "mlab/fleet/fleet.h"
@@ -9,26 +12,63 @@ constexpr double kCruiseSpeed = 1.0;  // of programs that have no speed of their
 
 }  // namespace
 
-Situation Fleet::situation_of(const FleetRobot& robot) const {
+// Kept until its program has answered: lists of percepts are another robot's by then.
+void Fleet::note_seen(std::size_t robot, const percept::Needs& needs, const percept::Percepts& percepts) {
+  Seen& seen = seen_[robot];
+  seen.touches = needs.has(percept::Sensor::kTouch) && percepts.touch != geom::Vector{};
+  seen.obstacles.clear();
+  seen.others.clear();
+  if (!needs.has(percept::Sensor::kObstacles)) return;
+  seen.obstacles.assign(percepts.obstacles.begin(), percepts.obstacles.end());
+  seen.others.assign(percepts.robots.begin(), percepts.robots.end());
+}
+
+// What is so near to the robot that it may lead it aside. Other bodies count where they stand now.
+void Fleet::look_for_passage(const FleetRobot& robot, double reach) {
+  passage_.clear();
+  if (reach <= 0.0) return;
+  const geom::Point here = poses_[index_of(robot)].position;
   const binding::WorldView& view = binding_.view();
-  const binding::BodyState body = view.body(robot.body);
+  for (const binding::Disc& disc : view.discs()) {
+    if (geom::distance(disc.center, here) <= reach + disc.radius) passage_.add(disc);
+  }
+  for (const binding::Wall& wall : view.walls()) {
+    if (wall.is_solid && geom::distance(nearest_point(wall.segment, here), here) <= reach)
+      passage_.add(wall.segment);
+  }
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const FleetRobot& other = robots_[i];
+    if (other.life == RobotLife::kNotStarted || &other == &robot) continue;
+    const double radius = other.capabilities.radius;
+    if (geom::distance(poses_[i].position, here) <= reach + radius)
+      passage_.add(binding::Disc{poses_[i].position, radius});
+  }
+  constexpr double kMargin = binding::kAreaMargin;
+  const geom::Point low{kMargin, kMargin};
+  const geom::Point high{area_.width - kMargin, area_.height - kMargin};
+  const geom::Point start = robot.start.position;
+  const bool is_held = start.x >= low.x && start.y >= low.y && start.x <= high.x && start.y <= high.y;
+  if (is_held) passage_.keep_within(low, high);
+}
+
+Situation Fleet::situation_of(const FleetRobot& robot, double dt) {
+  const binding::BodyState body = binding_.view().body(robot.body);
+  const Seen& seen = seen_[index_of(robot)];
   Situation out;
   out.rows = robot.failsafes;
-  out.motion = {poses_[index_of(robot)], body.velocity, body.turn_rate};
+  out.motion = {poses_[index_of(robot)], {body.velocity, body.speed, body.turn_rate}};
   out.home = robot.start.position;
   out.kinematics = &robot.body_spec.kinematics;
   out.radius = robot.capabilities.radius;
   out.cruise_speed = robot.program->number("base_velocity").value_or(kCruiseSpeed);
-  out.is_in_contact = body.in_contact;
+  out.is_in_contact = seen.touches;
   out.silence = robot.runner->silence(robot.member);
   out.order = robot.group == FleetRobot::kNoGroup ? 0 : groups_[robot.group].order.sequence;
   out.is_steered = robot.joystick.magnitude > 0.0;
-  if (failsafes_.returns(robot.failsafe)) {
-    const percept::Percepts sensed = view.sense(robot.body, {{percept::Sensor::kObstacles, Situation::kSight},
-                                                             {percept::Sensor::kRobots, Situation::kSight}});
-    out.obstacles = sensed.obstacles;
-    out.others = sensed.robots;
-  }
+  out.obstacles = seen.obstacles;
+  out.others = seen.others;
+  look_for_passage(robot, failsafes_.passage_reach(out, robot.action, dt));
+  out.passage = &passage_;
   return out;
 }
 
@@ -39,22 +79,33 @@ std::string Fleet::failsafe(const FleetRobot& robot) const {
 
 bool Fleet::guard(FleetRobot& robot, double dt) {
   const std::size_t before = robot.failsafe.active;
-  const Failsafes::Outcome outcome = failsafes_.guard(situation_of(robot), dt, robot.failsafe, robot.action);
-  const auto call = [&](std::size_t row, const char* what) {
-    calls_.push_back({robot.id, RobotCall::Kind::kFailsafe,
-                      fmt::format("`{}` {}", mission::words_of(failsafes_.rows()[row]), what)});
+  const Failsafes::Outcome outcome =
+      failsafes_.guard(situation_of(robot, dt), dt, robot.failsafe, robot.action);
+  const auto words = [&](std::size_t row) { return mission::words_of(failsafes_.rows()[row]); };
+  const auto call = [&](std::string text) {
+    calls_.push_back({robot.id, RobotCall::Kind::kFailsafe, std::move(text)});
   };
-  if (outcome.is_over) call(before, "is over");
+  if (outcome.outside)
+    call(fmt::format("`{}` lets it in first: it begins outside, and may only come nearer", words(*outcome.outside)));
+  if (outcome.is_over) call(fmt::format("`{}` is over", words(before)));
   if (!outcome.triggered) return true;
-  call(*outcome.triggered, "acts");
+  call(fmt::format("`{}` acts{}", words(*outcome.triggered),
+                   outcome.gave_way ? fmt::format(", before `{}`", words(*outcome.gave_way)) : ""));
   if (failsafes_.rows()[*outcome.triggered].action != mission::FailsafeAction::kStop) return true;
   stop(robot.id);
   return false;
 }
 
+// Its body senses all the same.
 void Fleet::go_on_by_failsafe(FleetRobot& robot, double dt) {
   robot.action = {};
-  if (robot.ailment.empty() && guard(robot, dt)) actions_[robot.body.value] = robot.action;
+  if (!robot.ailment.empty()) return;
+  const percept::Needs needs = failsafes_.needs(robot.failsafes, robot.failsafe);
+  percept::Percepts percepts;
+  const binding::Sensing sensing = {robot.body, &needs, &percepts};
+  binding_.percepts({&sensing, 1}, 0);
+  note_seen(index_of(robot), needs, percepts);
+  if (guard(robot, dt)) actions_[robot.body.value] = robot.action;
 }
 
 }  // namespace mlab::fleet

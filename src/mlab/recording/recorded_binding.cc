@@ -184,6 +184,7 @@ void RecordedBinding::take_states(const wire::RecordedCycle& cycle) {
     if (body == nullptr) continue;
     body->pose = pose_of(state.pose());
     body->state = {{state.velocity_x(), state.velocity_y()},
+                   state.speed(),
                    state.turn_rate(),
                    state.distance_driven(),
                    state.contacts(),

@@ -108,6 +108,7 @@ void RecordingBinding::add_states(wire::RecordedCycle& cycle) const {
     out.set_velocity_x(state.velocity.x);
     out.set_velocity_y(state.velocity.y);
     out.set_turn_rate(state.turn_rate);
+    out.set_speed(state.speed);
     out.set_distance_driven(state.distance_driven);
     out.set_contacts(state.contacts);
     out.set_in_contact(state.in_contact);

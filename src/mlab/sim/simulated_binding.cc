@@ -110,8 +110,14 @@ std::vector<base::RobotId> SimulatedBinding::robots_of(const std::vector<Placeme
 }
 
 binding::BodyState SimulatedBinding::body(BodyIndex body) const {
-  return {simulator_.velocity(body), simulator_.turn_rate(body),  simulator_.distance_driven(body),
-          simulator_.contacts(body), simulator_.in_contact(body), simulator_.carried(body)};
+  const Momentum& momentum = simulator_.momentum(body);
+  return {momentum.velocity,
+          momentum.speed,
+          momentum.turn_rate,
+          simulator_.distance_driven(body),
+          simulator_.contacts(body),
+          simulator_.in_contact(body),
+          simulator_.carried(body)};
 }
 
 percept::Percepts SimulatedBinding::sense(BodyIndex body, const percept::Needs& needs) const {

@@ -315,8 +315,8 @@ base::RobotId Simulator::robot(BodyIndex body) const {
 const BodySpec& Simulator::spec(BodyIndex body) const {
   return parts_->kinds[parts_->state.bodies.kind[body.value]].spec;
 }
-double Simulator::turn_rate(BodyIndex body) const {
-  return parts_->state.bodies.momentum[body.value].turn_rate;
+const binding::Momentum& Simulator::momentum(BodyIndex body) const {
+  return parts_->state.bodies.momentum[body.value];
 }
 
 Offset Simulator::velocity(BodyIndex body) const {

@@ -56,7 +56,8 @@ class Simulator {
   const BodySpec& spec(BodyIndex body) const;
   /// As driven in the last cycle: contact and limits included [m/s, world].
   geom::Offset velocity(BodyIndex body) const;
-  double turn_rate(BodyIndex body) const;  ///< [rad/s]
+  /// At the end of the last cycle.
+  const binding::Momentum& momentum(BodyIndex body) const;
   /// Where the camera looks, counter-clockwise from ahead [rad].
   double pan(BodyIndex body) const;
   /// Since it was added [m].
