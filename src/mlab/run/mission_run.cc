@@ -173,8 +173,10 @@ void MissionRun::answer_calls() {
   for (const fleet::RobotCall& call : fleet_->take_calls()) {
     const std::uint32_t id = call.robot.value;
     switch (call.kind) {
-      case fleet::RobotCall::Kind::kAlert:
       case fleet::RobotCall::Kind::kFailsafe:
+        if (failsafes_.size() < kMostFailsafeRecords) failsafes_.push_back({time(), call.robot, call.text});
+        [[fallthrough]];
+      case fleet::RobotCall::Kind::kAlert:
         tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
         break;
       case fleet::RobotCall::Kind::kProceed:

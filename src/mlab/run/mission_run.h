@@ -94,6 +94,13 @@ struct Delivery {
   base::ObjectId basket;
 };
 
+/// What became of a robot's failsafes, as the log says it.
+struct FailsafeRecord {
+  double time = 0.0;  ///< [s]
+  base::RobotId robot;
+  std::string what;  ///< `FAILSAFE OUTSIDE Field HOLD` acts
+};
+
 /// A robot that has not been started, and where START will put it.
 struct PlannedStart {
   base::RobotId robot;
@@ -209,6 +216,9 @@ class MissionRun {
   const std::vector<UnitMetrics>& unit_metrics() const { return metrics_; }
   /// What robots brought into baskets so far, in the order of time, then of objects.
   const std::vector<Delivery>& deliveries() const { return deliveries_; }
+  /// The first kMostFailsafeRecords of them.
+  const std::vector<FailsafeRecord>& failsafes() const { return failsafes_; }
+  static constexpr std::size_t kMostFailsafeRecords = 100'000;
   /// Cycles run by all robots together.
   std::uint64_t robot_cycles() const { return robot_cycles_; }
   /// How many steps of the mission are done, and how many there are.
@@ -257,6 +267,7 @@ class MissionRun {
   std::vector<Takeover> takeovers_;
   std::vector<base::RobotId> forced_;  // in the coming cycle, ascending
   std::vector<Delivery> deliveries_;
+  std::vector<FailsafeRecord> failsafes_;
   std::vector<base::RobotId> carriers_;  // by object id: who carries it; none as well once it was delivered
   bool is_stopped_ = false;
   bool has_braked_ = false;  // for at least one cycle of this stop

@@ -111,6 +111,15 @@ Json deliveries_json(const MissionRun& run) {
   return out;
 }
 
+Json failsafes_json(const MissionRun& run) {
+  Json out = Json::array();
+  for (const FailsafeRecord& record : run.failsafes()) {
+    out.push_back(
+        {{"time_s", rounded(record.time)}, {"robot", record.robot.value}, {"what", record.what}});
+  }
+  return out;
+}
+
 Json interventions_json(const MissionRun& run) {
   Json out = Json::array();
   for (const InterventionRecord& record : run.interventions()) {
@@ -192,6 +201,7 @@ std::string report_json(const MissionRun& run, const Performance& performance, R
   out["robots"] = robots_json(run);
   out["units"] = units_json(run);
   out["deliveries"] = deliveries_json(run);
+  if (!run.failsafes().empty()) out["failsafes"] = failsafes_json(run);
   if (!run.interventions().empty()) out["interventions"] = interventions_json(run);
   if (!run.takeovers().empty()) out["takeovers"] = takeovers_json(run);
   out["performance"] = performance_json(run, performance);

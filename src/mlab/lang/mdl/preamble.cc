@@ -22,6 +22,16 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxOverlays = 100;
 constexpr std::size_t kMaxMaps = 100;
 constexpr std::size_t kMaxFenceCorners = 1000;
+
+// All on one straight line, or nearly so.
+bool are_in_line(std::span<const geom::Point> points) {
+  constexpr double kAside = 1e-3;  // [m]
+  if (points.size() < 3) return true;
+  const auto far = [&](geom::Point p) { return geom::distance(p, points.front()); };
+  const geom::Segment line{points.front(), *std::ranges::max_element(points, {}, far)};
+  return std::ranges::all_of(
+      points, [&](geom::Point p) { return geom::distance(nearest_point(line, p), p) < kAside; });
+}
 constexpr double kMaxFailsafeSeconds = 86'400.0;
 
 }  // namespace
@@ -259,15 +269,18 @@ std::optional<std::vector<geom::Point>> Preamble::read_fence(const Name& name) {
   }
   std::vector<geom::Point> out = found->points;
   if (out.size() > 1 && out.front() == out.back()) out.pop_back();
-  if (found->kind == overlay::MeasureKind::kBoundary && out.size() >= 3 && out.size() <= kMaxFenceCorners)
+  std::string problem;
+  if (found->kind != overlay::MeasureKind::kBoundary) {
+    problem = fmt::format("is a {}: a fence is a BOUNDARY", overlay::info(found->kind).keyword);
+  } else if (out.size() > kMaxFenceCorners) {
+    problem = fmt::format("has {} corners: a fence has at most {}", out.size(), kMaxFenceCorners);
+  } else if (are_in_line(out)) {
+    problem = "encloses nothing: a fence is a BOUNDARY of three points or more that are not in line";
+  } else {
     return out;
-  auto& error = diagnostics_.error(
-      "no-fence", place(name.span),
-      out.size() > kMaxFenceCorners
-          ? fmt::format("a fence has at most {} corners, {} has {}", kMaxFenceCorners,
-                        in_backticks(name.text), out.size())
-          : fmt::format("{} encloses nothing: a fence is a BOUNDARY of three points or more",
-                        in_backticks(name.text)));
+  }
+  auto& error = diagnostics_.error("no-fence", place(name.span),
+                                   fmt::format("{} {}", in_backticks(name.text), problem));
   error.notes.push_back({"it is declared here", found->place});
   return std::nullopt;
 }
