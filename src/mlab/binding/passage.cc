@@ -31,11 +31,12 @@ void Passage::keep_within(Point low, Point high) {
 }
 
 bool Passage::is_near(Point place, double reach) const {
-  const bool is_at_edge = place.x - low_.x < reach || high_.x - place.x < reach ||
-                          place.y - low_.y < reach || high_.y - place.y < reach;
+  const bool is_at_edge = place.x - low_.x < reach || high_.x - place.x < reach || place.y - low_.y < reach ||
+                          high_.y - place.y < reach;
   return is_at_edge ||
          std::ranges::any_of(
-             discs_, [&](const Disc& one) { return geom::distance(one.center, place) < reach + one.radius; }) ||
+             discs_,
+             [&](const Disc& one) { return geom::distance(one.center, place) < reach + one.radius; }) ||
          std::ranges::any_of(walls_, [&](const geom::Segment& one) {
            return geom::distance(nearest_point(one, place), place) < reach;
          });

@@ -11,8 +11,9 @@
 
 namespace mlab::binding {
 
-/// What may be in the way of a body that somebody looks ahead for, as far as it is known. Motions go through it
-/// by the laws of docs/simulator.md: straight until something is met, then along it; all things stand still.
+/// What may be in the way of a body that somebody looks ahead for, as far as it is known. Motions go through
+/// it by the laws of docs/simulator.md: straight until something is met, then along it; all things stand
+/// still.
 class Passage {
  public:
   /// The corners of a way, the first one where it begins.

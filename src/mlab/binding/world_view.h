@@ -43,8 +43,8 @@ inline constexpr double kAreaMargin = 0.5;
 
 /// How a body fares, as far as it is known.
 struct BodyState {
-  geom::Offset velocity;         ///< as driven in the last cycle [m/s, world]
-  double speed = 0.0;            ///< along its heading, of bodies that drive so; in a turn more than the velocity [m/s]
+  geom::Offset velocity;  ///< as driven in the last cycle [m/s, world]
+  double speed = 0.0;  ///< along its heading, of bodies that drive so; in a turn more than the velocity [m/s]
   double turn_rate = 0.0;        ///< likewise [rad/s]
   double distance_driven = 0.0;  ///< since it was there [m]
   std::uint32_t contacts = 0;    ///< how often it met something solid or another body

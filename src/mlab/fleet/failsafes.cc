@@ -17,8 +17,9 @@ constexpr double kIsHome = 0.5;         // [m]
 constexpr double kReversed = 3.0;       // from the line [m]
 constexpr double kReverseSpeed = 0.5;   // [m/s]
 constexpr double kReverseSpin = 1.0;    // [rad/s]
-constexpr double kAlongTheLine = 0.7;   // cosine between a heading and the way inside, below which it leads along
-constexpr double kTurnsBack = 0.5;      // nearer to a fence it has to turn back to be free again [m]
+constexpr double kAlongTheLine =
+    0.7;                            // cosine between a heading and the way inside, below which it leads along
+constexpr double kTurnsBack = 0.5;  // nearer to a fence it has to turn back to be free again [m]
 constexpr double kPassingSphere = Situation::kSight;
 constexpr double kMostPush = 2.0;  // against one step towards the goal
 constexpr double kClear = 0.5;     // between its body and what it passes [m]
@@ -201,8 +202,8 @@ void Failsafes::reverse(const Fence& fence, const Situation& situation, percept:
     action.velocity = way * kReverseSpeed;
     return;
   }
-  // Forwards or backwards, whichever way leads inside, and round until it leads straight there. Who can turn on
-  // the spot does that first.
+  // Forwards or backwards, whichever way leads inside, and round until it leads straight there. Who can turn
+  // on the spot does that first.
   const double ahead = way.x < 0.0 ? -1.0 : 1.0;
   const bool turns_first =
       situation.kinematics->drive != binding::Drive::kCar && std::abs(way.x) < kAlongTheLine;

@@ -24,13 +24,13 @@ struct Situation {
   Motion motion;
   geom::Point home;  ///< where it was started [m, world]
   const binding::Kinematics* kinematics = nullptr;
-  double radius = 0.0;        ///< of its body [m]
-  double cruise_speed = 1.0;  ///< with which it returns [m/s]
-  bool is_in_contact = false;                  ///< its body touches something
-  const binding::Passage* passage = nullptr;   ///< what is in its way before a fence
-  double silence = 0.0;     ///< so long nothing has been heard of its program [s]
-  std::uint32_t order = 0;  ///< number of the order that it carries out
-  bool is_steered = false;  ///< a person steers it
+  double radius = 0.0;                        ///< of its body [m]
+  double cruise_speed = 1.0;                  ///< with which it returns [m/s]
+  bool is_in_contact = false;                 ///< its body touches something
+  const binding::Passage* passage = nullptr;  ///< what is in its way before a fence
+  double silence = 0.0;                       ///< so long nothing has been heard of its program [s]
+  std::uint32_t order = 0;                    ///< number of the order that it carries out
+  bool is_steered = false;                    ///< a person steers it
   /// What it senses around it; only a robot that returns has to know.
   std::span<const percept::Obstacle> obstacles;
   std::span<const percept::RobotReading> others;
@@ -44,7 +44,7 @@ struct FailsafeState {
   std::uint8_t active = kNone;                         ///< the row whose action is carried out
   std::uint16_t waiting = 0;  ///< rows that have been met while one of higher rank acted, a bit for each
   bool has_begun = false;     ///< it was looked at
-  std::uint32_t order = 0;                             ///< the order that the robot had when that began
+  std::uint32_t order = 0;    ///< the order that the robot had when that began
   bool has_anchor = false;
   geom::Point anchor;         ///< from where it came no half metre further
   bool makes_no_way = false;  ///< though it wants to
@@ -75,8 +75,8 @@ class Failsafes {
 
   /// What these rows look at, and what their actions find their way by.
   percept::Needs needs(std::uint16_t rows, const FailsafeState& state) const;
-  /// What in a robot's surroundings may lead it aside before a fence is this near to it [m]. 0: nothing has to
-  /// be known.
+  /// What in a robot's surroundings may lead it aside before a fence is this near to it [m]. 0: nothing has
+  /// to be known.
   double passage_reach(const Situation& situation, const percept::Action& wanted, double dt) const;
 
   /// What began in a cycle.

@@ -139,8 +139,7 @@ double Fence::reach(const binding::Kinematics& kinematics, const percept::Action
                     const Motion& motion, double dt) {
   double wanted = action.drives ? geom::length(action.velocity) : 0.0;
   if (kinematics.max_speed > 0.0) wanted = std::min(wanted, kinematics.max_speed);
-  const double speed =
-      std::max({wanted, length(motion.momentum.velocity), std::abs(motion.momentum.speed)});
+  const double speed = std::max({wanted, length(motion.momentum.velocity), std::abs(motion.momentum.speed)});
   const double braking =
       kinematics.max_acceleration > 0.0 ? speed * speed / (2.0 * kinematics.max_acceleration) : 0.0;
   return 2.0 * speed * dt + braking;

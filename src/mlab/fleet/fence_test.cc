@@ -165,9 +165,11 @@ RC_GTEST_PROP(FenceLaws, NobodyWhoIsWithinGetsOut, ()) {
 RC_GTEST_PROP(FenceLaws, NobodyIsLedOutByWhatIsInTheWay, ()) {
   const auto number = [](int least, int most) { return *rc::gen::inRange(least, most) / 100.0; };
   binding::Passage passage;
-  for (int i = 0; i < 6; ++i) passage.add(binding::Disc{{number(3000, 10'000), number(0, 6000)}, number(50, 500)});
+  for (int i = 0; i < 6; ++i)
+    passage.add(binding::Disc{{number(3000, 10'000), number(0, 6000)}, number(50, 500)});
   for (int i = 0; i < 3; ++i)
-    passage.add(geom::Segment{{number(3000, 10'000), number(0, 6000)}, {number(3000, 10'000), number(0, 6000)}});
+    passage.add(
+        geom::Segment{{number(3000, 10'000), number(0, 6000)}, {number(3000, 10'000), number(0, 6000)}});
   passage.keep_within({0.5, 0.5}, {99.5, 59.5});
   expect_nobody_gets_out(passage);
 }

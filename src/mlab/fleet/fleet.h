@@ -105,8 +105,8 @@ class Fleet {
   /// @errors  a sentence about the robot: `is started already`
   std::expected<binding::Placement, std::string> start(base::RobotId robot, geom::Pose pose);
   /// Another robot of its type takes the place of one that stands because of a fault: its program begins anew
-  /// where it stands, wherever programs can be run now, under the order that the robot has. A body that is gone
-  /// gives way to another one.
+  /// where it stands, wherever programs can be run now, under the order that the robot has. A body that is
+  /// gone gives way to another one.
   /// @errors  a sentence that says why not; the robot stands as before
   std::optional<std::string> replace(base::RobotId robot);
   void order(const mission::effect::Order& order);
@@ -251,7 +251,7 @@ class Fleet {
   Failsafes failsafes_;
   std::vector<Seen> seen_;  // by index of robots_, where there are failsafes
   binding::Passage passage_;
-  overlay::Area area_;  // of the mission
+  overlay::Area area_;         // of the mission
   std::vector<Group> groups_;  // slots are used again
   std::vector<std::uint32_t> free_groups_;
   std::vector<percept::Action> actions_;  // by body

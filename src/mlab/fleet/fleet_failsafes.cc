@@ -86,7 +86,8 @@ bool Fleet::guard(FleetRobot& robot, double dt) {
     calls_.push_back({robot.id, RobotCall::Kind::kFailsafe, std::move(text)});
   };
   if (outcome.outside)
-    call(fmt::format("`{}` lets it in first: it begins outside, and may only come nearer", words(*outcome.outside)));
+    call(fmt::format("`{}` lets it in first: it begins outside, and may only come nearer",
+                     words(*outcome.outside)));
   if (outcome.is_over) call(fmt::format("`{}` is over", words(before)));
   if (!outcome.triggered) return true;
   call(fmt::format("`{}` acts{}", words(*outcome.triggered),

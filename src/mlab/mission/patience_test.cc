@@ -80,7 +80,8 @@ TEST_F(Patience, NamesALostRobotAtOnceAndFailsLater) {
 
 TEST_F(Patience, NamesAFault) {
   disturb_ = [](ToyFleet& fleet) { fleet.robot(2).report.is_running = false; };
-  EXPECT_TRUE(run(200.0).has_told("robot 2 at (0.5, 10.0), 100.0 m to go: not running, stopped by a fault or a failsafe"))
+  EXPECT_TRUE(run(200.0).has_told(
+      "robot 2 at (0.5, 10.0), 100.0 m to go: not running, stopped by a fault or a failsafe"))
       << fleet_->transcript();
 }
 

@@ -114,8 +114,7 @@ Json deliveries_json(const MissionRun& run) {
 Json failsafes_json(const MissionRun& run) {
   Json out = Json::array();
   for (const FailsafeRecord& record : run.failsafes()) {
-    out.push_back(
-        {{"time_s", rounded(record.time)}, {"robot", record.robot.value}, {"what", record.what}});
+    out.push_back({{"time_s", rounded(record.time)}, {"robot", record.robot.value}, {"what", record.what}});
   }
   return out;
 }
@@ -172,9 +171,8 @@ Json performance_json(const MissionRun& run, const Performance& performance) {
 
 std::string outcome_name(const MissionRun& run, RunEnd end) {
   // The others may have done all that there was to do; the mission was theirs and that robot's.
-  const bool is_broken = std::ranges::any_of(run.fleet().robots(), [](const fleet::FleetRobot& robot) {
-    return !failure_of(robot).empty();
-  });
+  const bool is_broken = std::ranges::any_of(
+      run.fleet().robots(), [](const fleet::FleetRobot& robot) { return !failure_of(robot).empty(); });
   const bool is_over = run.is_over() || end == RunEnd::kByItself;
   if (is_broken && (is_over ? run.state().outcome == mission::Outcome::kDone : end == RunEnd::kTimeIsUp))
     return std::string(mission::name(mission::Outcome::kFailed));

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "mlab/binding/slide.h"
 #include "mlab/binding/workers.h"
 #include "mlab/sim/bodies.h"
 #include "mlab/sim/point_grid.h"
-#include "mlab/binding/slide.h"
 #include "mlab/sim/statics.h"
 
 namespace mlab::sim {

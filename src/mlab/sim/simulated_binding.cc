@@ -111,12 +111,9 @@ std::vector<base::RobotId> SimulatedBinding::robots_of(const std::vector<Placeme
 
 binding::BodyState SimulatedBinding::body(BodyIndex body) const {
   const Momentum& momentum = simulator_.momentum(body);
-  return {momentum.velocity,
-          momentum.speed,
-          momentum.turn_rate,
-          simulator_.distance_driven(body),
-          simulator_.contacts(body),
-          simulator_.in_contact(body),
+  return {momentum.velocity,         momentum.speed,
+          momentum.turn_rate,        simulator_.distance_driven(body),
+          simulator_.contacts(body), simulator_.in_contact(body),
           simulator_.carried(body)};
 }
 

@@ -306,9 +306,9 @@ Answered RunOrders::replace_robot(const Sender& sender, const ReplaceRobot& repl
   run_.world_changed();
   const fleet::FleetRobot& replaced = *run_.live()->run().fleet().find(robot);
   const std::string machine = clean(replaced.runner->machine(replaced.member));
-  note_of(robot.value, fmt::format("{}: robot {} is replaced by another {}{}: its program begins anew",
-                                   sender.client.name, robot.value, clean(replaced.type),
-                                   machine.empty() ? "" : ", on " + machine));
+  note_of(robot.value,
+          fmt::format("{}: robot {} is replaced by another {}{}: its program begins anew", sender.client.name,
+                      robot.value, clean(replaced.type), machine.empty() ? "" : ", on " + machine));
   return std::nullopt;
 }
 
