@@ -84,7 +84,10 @@ std::optional<StopState> decode(std::string_view message) {
 
 StopState StopFile::read() const {
   std::error_code unreadable;
-  if (path_.empty() || !fs::exists(path_, unreadable)) return {};
+  if (path_.empty()) return {};
+  // A folder that can't be looked into may hold one.
+  const bool is_none = fs::symlink_status(path_, unreadable).type() == fs::file_type::not_found;
+  if (is_none) return {};
   std::ifstream stream(path_, std::ios::binary);
   std::ostringstream read;
   read << stream.rdbuf();

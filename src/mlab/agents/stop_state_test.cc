@@ -106,6 +106,9 @@ TEST_F(StopFiles, ThatCannotBeReadStopAMachine) {
 TEST_F(StopFiles, ThatAreNoFilesStopAMachine) {
   std::filesystem::create_directories(path());
   EXPECT_TRUE(StopFile(path()).read().is_engaged);
+  std::filesystem::remove_all(path());
+  std::filesystem::create_symlink("nowhere", path());
+  EXPECT_TRUE(StopFile(path()).read().is_engaged) << "it leads to where it was";
 }
 
 TEST_F(StopFiles, ThatCannotBeWrittenSaySo) {

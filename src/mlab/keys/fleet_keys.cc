@@ -72,9 +72,11 @@ std::expected<FleetKeys, std::string> FleetKeys::open(const fs::path& folder, co
     return std::unexpected(fmt::format(
         "`{}` holds an identity that was made on another machine: the fleet's keys are there, and not here",
         text::shown((folder / kOwnIdentity).string(), 1000)));
-  FleetKeys out(folder, fleet);
-  for (const fs::path& one :
-       {folder, out.authority(), out.authority() / "issued", out.authority() / "withdrawn"}) {
+  if (const auto made = make_private_folder(folder); !made) return std::unexpected(made.error());
+  auto lock = FolderLock::of(folder);
+  if (!lock) return std::unexpected(std::move(lock.error()));
+  FleetKeys out(folder, fleet, std::move(*lock));
+  for (const fs::path& one : {out.authority(), out.authority() / "issued", out.authority() / "withdrawn"}) {
     if (const auto made = make_private_folder(one); !made) return std::unexpected(made.error());
   }
   const auto known = are_there(folder) ? out.read_authority() : out.make_authority();
@@ -162,16 +164,19 @@ std::expected<void, std::string> FleetKeys::withdraw(const std::string& name) {
     return std::unexpected(fmt::format("the fleet `{}` has no identity `{}`: there is {}", fleet_,
                                        text::shown(name), known.empty() ? "none" : known));
   }
+  // The list first: where that fails nothing has changed, and it can be done again.
+  if (auto written = write_list(issued(name)); !written) return written;
   fs::rename(issued(name), free_place(authority() / "withdrawn", name), failure);
   if (failure) return std::unexpected(fmt::format("`{}` can't be withdrawn: {}", name, failure.message()));
-  const auto written = write_list();
   fs::remove_all(folder_ / name, failure);
-  return written;
+  return {};
 }
 
-std::expected<void, std::string> FleetKeys::write_list() const {
+std::expected<void, std::string> FleetKeys::write_list(const fs::path& also) const {
   std::vector<std::string> withdrawn;
-  for (const fs::path& file : certificates_in(authority() / "withdrawn")) {
+  std::vector<fs::path> files = certificates_in(authority() / "withdrawn");
+  if (!also.empty()) files.push_back(also);
+  for (const fs::path& file : files) {
     auto read = read_file(file);
     if (!read) return std::unexpected(read.error());
     withdrawn.push_back(std::move(*read));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mlab/keys/certificates.h"
+#include "mlab/keys/private_files.h"
 
 // The keys of a secured fleet, on the machine where they are made.
 namespace mlab::keys {
@@ -54,16 +55,18 @@ class FleetKeys {
   std::filesystem::path withdrawn_file() const;
 
  private:
-  FleetKeys(std::filesystem::path folder, std::string fleet)
-      : folder_(std::move(folder)), fleet_(std::move(fleet)) {}
+  FleetKeys(std::filesystem::path folder, std::string fleet, FolderLock lock)
+      : folder_(std::move(folder)), fleet_(std::move(fleet)), lock_(std::move(lock)) {}
   std::expected<void, std::string> make_authority();
   std::expected<void, std::string> read_authority();
-  std::expected<void, std::string> write_list() const;
+  /// @param also  a certificate that is to be withdrawn; empty: none
+  std::expected<void, std::string> write_list(const std::filesystem::path& also = {}) const;
   std::filesystem::path authority() const { return folder_ / "authority"; }
   std::filesystem::path issued(const std::string& name) const;
 
   std::filesystem::path folder_;
   std::string fleet_;
+  FolderLock lock_;
   KeyPair authority_;
   std::string governance_;
 };

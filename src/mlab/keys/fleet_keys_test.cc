@@ -1,5 +1,9 @@
 #include "mlab/keys/fleet_keys.h"
 
+#include <string>
+#include <thread>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "mlab/keys/identity.h"
@@ -51,6 +55,42 @@ TEST(FleetKeys, KeepTheListOfWithdrawnIdentitiesInAllFolders) {
   EXPECT_EQ(keys.names(), (std::vector<std::string>{"moved", "south"}));
   EXPECT_TRUE(check_identity(south, "alpha"));
   ASSERT_TRUE(keys.withdraw("moved"));
+}
+
+TEST(FleetKeys, AreAsBeforeWhereAWithdrawalFailed) {
+  const TemporaryFolder temporary;
+  FleetKeys keys = opened(temporary.path() / "alpha");
+  const fs::path north = keys.add("north").value();
+  const std::string certificate = read_file(north / kCertificateFile).value();
+  const std::string list = read_file(keys.withdrawn_file()).value();
+  fs::remove(keys.withdrawn_file());
+  fs::create_directories(keys.withdrawn_file() / "in the way");
+  ASSERT_FALSE(keys.withdraw("north"));
+  EXPECT_EQ(keys.names(), std::vector<std::string>{"north"});
+  EXPECT_TRUE(fs::exists(north));
+  fs::remove_all(keys.withdrawn_file());
+  ASSERT_TRUE(keys.withdraw("north")) << "it can be done again";
+  const auto is_gone =
+      is_withdrawn(read_file(keys.withdrawn_file()).value(), certificate,
+                   read_file(temporary.path() / "alpha" / "authority" / kAuthorityFile).value());
+  EXPECT_TRUE(is_gone && *is_gone);
+}
+
+TEST(FleetKeys, AreMadeByOneAtATime) {
+  const TemporaryFolder temporary;
+  std::vector<std::thread> makers;
+  for (int i = 0; i < 4; ++i) {
+    makers.emplace_back([&, i] {
+      auto keys = FleetKeys::open(temporary.path() / "alpha", "alpha");
+      ASSERT_TRUE(keys) << keys.error();
+      EXPECT_TRUE(keys->add("n" + std::to_string(i)));
+    });
+  }
+  for (std::thread& maker : makers) maker.join();
+  FleetKeys keys = opened(temporary.path() / "alpha");
+  EXPECT_EQ(keys.names().size(), 4U);
+  for (const std::string& name : keys.names())
+    EXPECT_TRUE(check_identity(temporary.path() / "alpha" / name, "alpha")) << name;
 }
 
 TEST(FleetKeys, GiveANameThatWasWithdrawnToAnother) {

@@ -1,6 +1,7 @@
 #include "mlab/keys/private_files.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -86,6 +87,23 @@ std::expected<void, std::string> check_private(const fs::path& file) {
   if ((status.st_mode & 077U) == 0) return {};
   return std::unexpected(
       fmt::format("`{0}` can be read or changed by others: `chmod 600 {0}` mends that", shown(file)));
+}
+
+std::expected<FolderLock, std::string> FolderLock::of(const fs::path& folder) {
+  const fs::path path = folder / ".lock";
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0) return std::unexpected(fmt::format("`{}` can't be written: {}", shown(path), reason(errno)));
+  while (::flock(file, LOCK_EX) != 0) {
+    if (errno == EINTR) continue;
+    const int problem = errno;
+    ::close(file);
+    return std::unexpected(fmt::format("`{}` can't be locked: {}", shown(path), reason(problem)));
+  }
+  return FolderLock(file);
+}
+
+FolderLock::~FolderLock() {
+  if (file_ >= 0) ::close(file_);
 }
 
 }  // namespace mlab::keys

@@ -183,6 +183,10 @@ int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> ros
   fmt::print("{}: {} of {} agents of the fleet `{}` have confirmed\n",
              options.stop ? "EMERGENCY STOP" : "the emergency stop is released", count - unreached.size(),
              count, fleet);
+  if (options.stop)
+    fmt::print(
+        "An agent that could not be heard before is not among them: runs and consoles that know it name "
+        "it\n");
   if (unreached.empty()) return kDone;
   fmt::print(stderr, "mlab fleet: not confirmed by {}; each hears of it from the others when it is back\n",
              listed(unreached));
