@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -26,8 +27,7 @@ class Folder {
  public:
   Folder()
       : path_(fs::path(::testing::TempDir()) /
-              ("mlab_brought_code_" + std::to_string(getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+              ("mlab_brought_code_" + std::to_string(getpid()) + "_" + test_name())) {
     fs::remove_all(path_);
     fs::create_directories(path_);
   }
@@ -42,6 +42,12 @@ class Folder {
   void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
 
  private:
+  static std::string test_name() {
+    std::string out = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::ranges::replace(out, '/', '_');  // of its parameter
+    return out;
+  }
+
   fs::path path_;
 };
 

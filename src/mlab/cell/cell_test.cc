@@ -42,9 +42,10 @@ enum class Who { kAsWeAre, kAsNobody };
 class CellTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::ranges::replace(test, '/', '_');  // of its parameter
     folder_ = fs::canonical(fs::path(::testing::TempDir())) /
-              ("mlab_cell_" + std::to_string(getpid()) + "_" + test->name());
+              ("mlab_cell_" + std::to_string(getpid()) + "_" + test);
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     for (const char* name : {"secret", "gone", "moved", "cut"}) std::ofstream(folder_ / name) << "secret\n";
