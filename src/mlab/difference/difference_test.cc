@@ -1,4 +1,3 @@
-#include <chrono>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -10,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/difference/tell.h"
 #include "mlab/lang/cdl/syntax/signs.h"
@@ -318,9 +318,7 @@ TEST(Difference, ComparesWhatCouldBeRead) {
 double seconds_for(const std::string& before, const std::string& after, std::size_t& found) {
   const Text one(before);
   const Text other(after);
-  const auto begin = std::chrono::steady_clock::now();
-  found = compare(one.version(), other.version()).meaning.size();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return base::processor_seconds([&] { found = compare(one.version(), other.version()).meaning.size(); });
 }
 
 std::string alike(int count) {

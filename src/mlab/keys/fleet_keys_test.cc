@@ -62,7 +62,6 @@ TEST(FleetKeys, AreAsBeforeWhereAWithdrawalFailed) {
   FleetKeys keys = opened(temporary.path() / "alpha");
   const fs::path north = keys.add("north").value();
   const std::string certificate = read_file(north / kCertificateFile).value();
-  const std::string list = read_file(keys.withdrawn_file()).value();
   fs::remove(keys.withdrawn_file());
   fs::create_directories(keys.withdrawn_file() / "in the way");
   ASSERT_FALSE(keys.withdraw("north"));
