@@ -110,7 +110,7 @@ COMMAND LIST:
   await more.or(alert.first()).first().waitFor();
   if (await more.isVisible()) await more.click();
   await alert.first().waitFor();
-  expect(await alert.first().textContent()).toContain("fault at “farther”");
+  expect(await alert.first().textContent()).toContain("no number, first at “farther”");
   const log = await console.panel("Log");
   await log.locator(".log-row").filter({ hasText: "Lost" }).filter({ hasText: "Robot 2" }).first().waitFor();
   await console.panel("Robots");
