@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "mlab/binding/slide.h"
 #include "mlab/binding/sweep.h"
 
 namespace mlab::binding {
@@ -12,8 +11,6 @@ namespace {
 using geom::Offset;
 using geom::Point;
 
-constexpr int kRounds = 4;
-constexpr double kLeastRest = 1e-9;  // what is left of a motion counts from here on [m]
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -44,7 +41,7 @@ bool Passage::is_near(Point place, double reach) const {
 
 Passage::Way Passage::follow(Point from, Offset step, double radius) const {
   Way out(from);
-  for (int round = 0; round < kRounds && length(step) > kLeastRest; ++round) {
+  for (int round = 0; round < kSlideRounds && length(step) > kLeastRest; ++round) {
     Blockers blockers;
     for (const Disc& disc : discs_) blockers.keep_off(from, disc.center, radius + disc.radius, 0.0, 0);
     for (const geom::Segment& wall : walls_)

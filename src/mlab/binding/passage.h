@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mlab/binding/slide.h"
 #include "mlab/binding/world_view.h"
 #include "mlab/geom/pose.h"
 
@@ -25,7 +26,7 @@ class Passage {
     geom::Point end() const { return corners_[count_ - 1]; }
 
    private:
-    std::array<geom::Point, 6> corners_;
+    std::array<geom::Point, kSlideRounds + 1> corners_;
     std::size_t count_ = 0;
   };
 
@@ -36,9 +37,9 @@ class Passage {
   /// The body's centre can't leave this box [m].
   void keep_within(geom::Point low, geom::Point high);
 
-  /// Whether something of it is so near to the place.
+  /// Whether something of it is so near to the place [m].
   bool is_near(geom::Point place, double reach) const;
-  /// How a body goes that would go this step if it were free.
+  /// How a body of this radius [m] goes that would go this step [m] if it were free.
   Way follow(geom::Point from, geom::Offset step, double radius) const;
 
  private:

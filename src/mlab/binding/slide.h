@@ -14,6 +14,11 @@ struct Blocker {
   std::uint32_t thing = 0;  ///< what it is, for telling contacts apart
 };
 
+/// In so many rounds a body that meets something goes on along it within a cycle.
+inline constexpr int kSlideRounds = 4;
+/// What is left of a motion counts from here on [m].
+inline constexpr double kLeastRest = 1e-9;
+
 /// What a body touches. Only the nearest are kept where there are too many; the sweep keeps the others out.
 class Blockers {
  public:

@@ -26,10 +26,6 @@ constexpr double kClear = 0.5;     // between its body and what it passes [m]
 
 static_assert(mission::kMostFailsafes <= 16, "Situation::rows has a bit for each");
 
-bool is_own(std::uint16_t rows, std::size_t row) {
-  return (rows >> row & 1U) != 0;
-}
-
 // It brakes. What it asks for, and what it says of its order, are not motion.
 void stand(percept::Action& action) {
   action.velocity = {};
@@ -85,18 +81,17 @@ bool Failsafes::goes_on(std::size_t row) const {
 }
 
 template <class Visit>
-void Failsafes::for_each_own(const Situation& situation, Visit&& visit) const {
+void Failsafes::for_each_own(std::uint16_t rows, Visit&& visit) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (is_own(situation.rows, i)) visit(i);
+    if ((rows >> i & 1U) != 0) visit(i);
   }
 }
 
 percept::Needs Failsafes::needs(std::uint16_t rows, const FailsafeState& state) const {
   percept::Needs out;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (is_own(rows, i) && rows_[i].condition == FailsafeCondition::kInContact)
-      out.want(percept::Sensor::kTouch);
-  }
+  for_each_own(rows, [&](std::size_t i) {
+    if (rows_[i].condition == FailsafeCondition::kInContact) out.want(percept::Sensor::kTouch);
+  });
   if (!returns(state)) return out;
   out.want(percept::Sensor::kObstacles, Situation::kSight);
   out.want(percept::Sensor::kRobots, Situation::kSight);
@@ -104,9 +99,15 @@ percept::Needs Failsafes::needs(std::uint16_t rows, const FailsafeState& state) 
 }
 
 double Failsafes::passage_reach(const Situation& situation, const percept::Action& wanted, double dt) const {
-  const double far = Fence::reach(*situation.kinematics, wanted, situation.motion, dt) + situation.radius;
+  percept::Action driven;
+  driven.drives = true;
+  driven.velocity.x = std::max(situation.cruise_speed, kReverseSpeed);
+  const auto reach = [&](const percept::Action& action) {
+    return Fence::reach(*situation.kinematics, action, situation.motion, dt);
+  };
+  const double far = std::max(reach(wanted), reach(driven)) + situation.radius;
   bool is_near = false;
-  for_each_own(situation, [&](std::size_t i) {
+  for_each_own(situation.rows, [&](std::size_t i) {
     is_near = is_near || (rows_[i].condition == FailsafeCondition::kOutside &&
                           fences_[i].depth(situation.motion.pose.position) <= far + kTurnsBack);
   });
@@ -150,7 +151,7 @@ bool Failsafes::holds(std::size_t row, const Situation& situation, const percept
 std::optional<std::size_t> Failsafes::begin(const Situation& situation, FailsafeState& state) const {
   std::optional<std::size_t> out;
   if (std::exchange(state.has_begun, true)) return out;
-  for_each_own(situation, [&](std::size_t i) {
+  for_each_own(situation.rows, [&](std::size_t i) {
     if (rows_[i].condition != FailsafeCondition::kOutside ||
         fences_[i].depth(situation.motion.pose.position) >= situation.radius)
       return;
@@ -165,7 +166,7 @@ std::uint16_t Failsafes::newly_met(const Situation& situation, const percept::Ac
                                    FailsafeState& state) const {
   unsigned out = 0;
   state.makes_no_way = makes_no_way(situation, wanted, state);
-  for_each_own(situation, [&](std::size_t i) {
+  for_each_own(situation.rows, [&](std::size_t i) {
     const bool is_true = holds(i, situation, wanted, dt, state);
     const double before = state.held[i];
     state.held[i] = !is_true                                             ? 0.0
@@ -186,7 +187,7 @@ void Failsafes::end(const Situation& situation, FailsafeState& state, Outcome& o
     out.is_over = is_escaped || (!goes_on(state.active) && !state.is_met[state.active]);
     if (out.is_over) state.active = FailsafeState::kNone;
   }
-  for_each_own(situation, [&](std::size_t i) {
+  for_each_own(situation.rows, [&](std::size_t i) {
     if (!state.is_met[i] && !goes_on(i)) state.waiting &= static_cast<std::uint16_t>(~(1U << i));
   });
 }
@@ -250,7 +251,7 @@ Failsafes::Outcome Failsafes::guard(const Situation& situation, double dt, Fails
     out.triggered = first;
   }
   if (state.active != FailsafeState::kNone) act(rows_[state.active], situation, action);
-  for_each_own(situation, [&](std::size_t i) {
+  for_each_own(situation.rows, [&](std::size_t i) {
     if (rows_[i].condition == FailsafeCondition::kOutside &&
         !fences_[i].allows(*situation.kinematics, action, situation.motion, situation.radius, dt,
                            *situation.passage))

@@ -27,7 +27,7 @@ struct Situation {
   double radius = 0.0;                        ///< of its body [m]
   double cruise_speed = 1.0;                  ///< with which it returns [m/s]
   bool is_in_contact = false;                 ///< its body touches something
-  const binding::Passage* passage = nullptr;  ///< what is in its way before a fence
+  const binding::Passage* passage = nullptr;  ///< what is in its way before a fence; not null
   double silence = 0.0;                       ///< so long nothing has been heard of its program [s]
   std::uint32_t order = 0;                    ///< number of the order that it carries out
   bool is_steered = false;                    ///< a person steers it
@@ -75,8 +75,8 @@ class Failsafes {
 
   /// What these rows look at, and what their actions find their way by.
   percept::Needs needs(std::uint16_t rows, const FailsafeState& state) const;
-  /// What in a robot's surroundings may lead it aside before a fence is this near to it [m]. 0: nothing has
-  /// to be known.
+  /// What in a robot's surroundings may lead it aside before a fence is this near to it [m], whether its
+  /// program drives it or a failsafe does. 0: nothing has to be known.
   double passage_reach(const Situation& situation, const percept::Action& wanted, double dt) const;
 
   /// What began in a cycle.
@@ -94,7 +94,7 @@ class Failsafes {
  private:
   /// A row among those that are the robot's own.
   template <class Visit>
-  void for_each_own(const Situation& situation, Visit&& visit) const;
+  void for_each_own(std::uint16_t rows, Visit&& visit) const;
   bool holds(std::size_t row, const Situation& situation, const percept::Action& wanted, double dt,
              const FailsafeState& state) const;
   bool makes_no_way(const Situation& situation, const percept::Action& wanted, FailsafeState& state) const;

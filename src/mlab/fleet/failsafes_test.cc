@@ -1,5 +1,7 @@
 #include "mlab/fleet/failsafes.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace mlab::fleet {
@@ -173,6 +175,112 @@ TEST(Failsafes, ReturnPastWhatIsInTheWay) {
   robot.step();
   EXPECT_LT(robot.action.velocity.y, -0.1);
   EXPECT_LE(geom::length(robot.action.velocity), robot.situation.cruise_speed + 1e-9);
+}
+
+TEST(Failsafes, OfWhichTwoLookForStuckRobotsLetOneDriveThatGetsOn) {
+  Robot robot({row(FailsafeCondition::kStuck, FailsafeAction::kContinue, 6.0),
+               row(FailsafeCondition::kStuck, FailsafeAction::kStop, 2.0)});
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_FALSE(robot.step().triggered) << i;
+    robot.situation.motion.pose.position.x += 0.1;
+  }
+  int cycles = 0;
+  while (!robot.step().triggered && cycles < 100) ++cycles;
+  EXPECT_NEAR(cycles * kCycle, 2.0, 0.5) << "it gets on no more";
+}
+
+TEST(Failsafes, OfLowerRankActWhenTheHigherOneIsOver) {
+  Robot robot({row(FailsafeCondition::kInContact, FailsafeAction::kContinue),
+               row(FailsafeCondition::kOutside, FailsafeAction::kHold)});
+  robot.situation.is_in_contact = true;
+  EXPECT_EQ(robot.step().triggered, 0U);
+  robot.situation.motion.pose.position.x = 99.75;
+  EXPECT_FALSE(robot.step().triggered) << "the first one acts";
+  robot.situation.is_in_contact = false;
+  const Failsafes::Outcome outcome = robot.step();
+  EXPECT_TRUE(outcome.is_over);
+  EXPECT_EQ(outcome.triggered, 1U) << "it came to the line meanwhile";
+  EXPECT_FALSE(robot.action.drives);
+}
+
+TEST(Failsafes, GiveWayToOneOfHigherRankAndActAgain) {
+  Robot robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold),
+               row(FailsafeCondition::kOutside, FailsafeAction::kReverseInside)});
+  robot.situation.motion.pose.position.x = 99.75;
+  EXPECT_EQ(robot.step().triggered, 1U);
+  robot.situation.is_in_contact = true;
+  const Failsafes::Outcome outcome = robot.step();
+  EXPECT_EQ(outcome.triggered, 0U);
+  EXPECT_EQ(outcome.gave_way, 1U);
+  EXPECT_FALSE(robot.action.drives);
+  robot.situation.is_in_contact = false;
+  EXPECT_EQ(robot.step().triggered, 1U);
+  EXPECT_TRUE(robot.action.drives);
+}
+
+TEST(Failsafes, AreForgottenWithTheOrderUnderWhichTheyWaited) {
+  Robot robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold),
+               row(FailsafeCondition::kStuck, FailsafeAction::kHold, 0.5)});
+  for (int i = 0; i < 10; ++i) robot.step();
+  EXPECT_EQ(robot.state.active, 1U);
+  robot.situation.is_in_contact = true;
+  EXPECT_EQ(robot.step().gave_way, 1U);
+  robot.situation.order = 2;
+  EXPECT_TRUE(robot.step().is_over);
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(robot.step().triggered) << "it drives out of it";
+}
+
+TEST(Failsafes, LetInWhoBeginsOutside) {
+  Robot robot({row(FailsafeCondition::kOutside, FailsafeAction::kHold)});
+  robot.situation.motion.pose.position.x = 110;
+  const Failsafes::Outcome first = robot.step(-1.0);
+  EXPECT_EQ(first.outside, 0U);
+  EXPECT_FALSE(first.triggered);
+  EXPECT_TRUE(robot.action.drives) << "nearer";
+  EXPECT_FALSE(robot.step(1.0).outside) << "told once";
+  EXPECT_FALSE(robot.action.drives) << "not away";
+  robot.situation.motion.pose.position.x = 50;
+  EXPECT_FALSE(robot.step(1.0).triggered);
+  robot.situation.motion.pose.position.x = 99.75;
+  EXPECT_EQ(robot.step(1.0).triggered, 0U) << "it was inside";
+}
+
+TEST(Failsafes, ReverseInsideFromBesideTheLine) {
+  for (const binding::Drive drive : {binding::Drive::kDifferential, binding::Drive::kCar}) {
+    Robot robot({row(FailsafeCondition::kOutside, FailsafeAction::kReverseInside)});
+    robot.kinematics.drive = drive;
+    // It looks along the upper line, and its program wants over it.
+    Motion& motion = robot.situation.motion;
+    motion.pose = {{50, 59.75}, 0.0};
+    for (int i = 0; i < 400; ++i) {
+      robot.situation.kinematics = &robot.kinematics;
+      robot.situation.passage = &robot.nothing;
+      robot.action = {};
+      robot.action.drives = robot.action.spins = true;
+      robot.action.velocity = {1.0, 0.0, 0.0};
+      robot.action.spin = 3.0;
+      robot.failsafes.guard(robot.situation, kCycle, robot.state, robot.action);
+      const double heading = motion.pose.heading;
+      const binding::WantedMotion moved =
+          binding::drive(robot.kinematics, robot.action, heading, {std::cos(heading), std::sin(heading)},
+                         motion.momentum, kCycle);
+      motion = {{motion.pose.position + moved.step, moved.heading}, moved.momentum};
+      ASSERT_LE(motion.pose.position.y, 59.8 + 1e-6);
+    }
+    EXPECT_NEAR(motion.pose.position.y, 56.8, 0.1);
+  }
+}
+
+TEST(Failsafes, KnowWhatIsInTheWayOfARobotThatTheyDrive) {
+  Robot robot({row(FailsafeCondition::kOutside, FailsafeAction::kReturn)});
+  robot.kinematics.max_acceleration = 2.0;
+  robot.situation.kinematics = &robot.kinematics;
+  robot.situation.cruise_speed = 10.0;
+  robot.situation.motion.pose.position.x = 80;
+  EXPECT_GT(robot.failsafes.passage_reach(robot.situation, percept::Action{}, kCycle), 25.0)
+      << "its program stands, and it would go home at ten metres a second";
+  robot.situation.cruise_speed = 1.0;
+  EXPECT_EQ(robot.failsafes.passage_reach(robot.situation, percept::Action{}, kCycle), 0.0);
 }
 
 }  // namespace

@@ -422,12 +422,9 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
       worker.members[last] = robots_[worker.robots[last]].member;
     runner.needs({&worker.members[first], last - first}, {&worker.needs[first], last - first});
   }
-  const auto failsafe_needs = [&](std::size_t i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const FleetRobot& robot = robots_[worker.robots[i]];
-    return robot.failsafes == 0 ? percept::Needs{} : failsafes_.needs(robot.failsafes, robot.failsafe);
-  };
-  if (!failsafes_.empty()) {
-    for (std::size_t i = 0; i < count; ++i) worker.needs[i].add(failsafe_needs(i));
+    if (robot.failsafes != 0) worker.needs[i].add(failsafes_.needs(robot.failsafes, robot.failsafe));
   }
   for (std::size_t i = 0; i < count; ++i) {
     std::construct_at(&worker.percepts[i]);  // an assignment would copy what it makes
@@ -436,7 +433,7 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
   binding_.percepts({worker.senses.data(), count}, index);
   for (std::size_t i = 0; i < count; ++i) {
     FleetRobot& robot = robots_[worker.robots[i]];
-    if (robot.failsafes != 0) note_seen(worker.robots[i], failsafe_needs(i), worker.percepts[i]);
+    if (robot.failsafes != 0) note_seen(worker.robots[i], worker.percepts[i]);
     add_told(robot, dt, worker.percepts[i]);
     worker.turns[i] = {robot.member, &worker.percepts[i], &robot.action, &robot.fault, &robot.failure};
   }

@@ -107,7 +107,7 @@ class Fleet {
   /// Another robot of its type takes the place of one that stands because of a fault: its program begins anew
   /// where it stands, wherever programs can be run now, under the order that the robot has. A body that is
   /// gone gives way to another one.
-  /// @errors  a sentence that says why not; the robot stands as before
+  /// @errors  a sentence that says why not; the robot stands, for what has gone wrong now
   std::optional<std::string> replace(base::RobotId robot);
   void order(const mission::effect::Order& order);
   /// Ends the robot's program; its body keeps standing.
@@ -239,7 +239,7 @@ class Fleet {
     std::vector<percept::Obstacle> obstacles;
     std::vector<percept::RobotReading> others;
   };
-  void note_seen(std::size_t robot, const percept::Needs& needs, const percept::Percepts& percepts);
+  void note_seen(std::size_t robot, const percept::Percepts& percepts);
   Situation situation_of(const FleetRobot& robot, double dt);
   void look_for_passage(const FleetRobot& robot, double reach);
 

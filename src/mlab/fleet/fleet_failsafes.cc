@@ -13,12 +13,12 @@ constexpr double kCruiseSpeed = 1.0;  // of programs that have no speed of their
 }  // namespace
 
 // Kept until its program has answered: lists of percepts are another robot's by then.
-void Fleet::note_seen(std::size_t robot, const percept::Needs& needs, const percept::Percepts& percepts) {
+void Fleet::note_seen(std::size_t robot, const percept::Percepts& percepts) {
   Seen& seen = seen_[robot];
-  seen.touches = needs.has(percept::Sensor::kTouch) && percepts.touch != geom::Vector{};
+  seen.touches = percepts.touch != geom::Vector{};
   seen.obstacles.clear();
   seen.others.clear();
-  if (!needs.has(percept::Sensor::kObstacles)) return;
+  if (!failsafes_.returns(robots_[robot].failsafe)) return;
   seen.obstacles.assign(percepts.obstacles.begin(), percepts.obstacles.end());
   seen.others.assign(percepts.robots.begin(), percepts.robots.end());
 }
@@ -105,7 +105,7 @@ void Fleet::go_on_by_failsafe(FleetRobot& robot, double dt) {
   percept::Percepts percepts;
   const binding::Sensing sensing = {robot.body, &needs, &percepts};
   binding_.percepts({&sensing, 1}, 0);
-  note_seen(index_of(robot), needs, percepts);
+  note_seen(index_of(robot), percepts);
   if (guard(robot, dt)) actions_[robot.body.value] = robot.action;
 }
 

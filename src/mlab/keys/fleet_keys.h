@@ -26,7 +26,7 @@ bool is_identity_name(std::string_view name);
 ///     NAME/               an identity, to be moved to its machine (identity.h)
 ///
 /// Folders have mode 0700, files 0600. Whoever is killed in between leaves whole files behind; calling the
-/// same once more goes on. Not for two processes at a time.
+/// same once more goes on. Who has opened them keeps others waiting.
 class FleetKeys {
  public:
   /// Makes the authority where there is none, and the folder.
@@ -46,7 +46,8 @@ class FleetKeys {
 
   /// From now on the identity is on the list of those who don't belong to the fleet, and its folder is
   /// removed. All folders of identities here get that list; those on other machines have to be brought it.
-  /// @errors  a sentence: there is no identity of that name
+  /// @errors  a sentence: there is no identity of that name; the list can't be written, and it can be done
+  /// again
   std::expected<void, std::string> withdraw(const std::string& name);
 
   /// Those that are good, by name.

@@ -8,6 +8,7 @@
 namespace mlab::sim {
 namespace {
 
+using binding::kLeastRest;
 using binding::kSkin;
 using binding::kTouch;
 using binding::meet;
@@ -20,13 +21,10 @@ using geom::Offset;
 using geom::Point;
 
 constexpr std::size_t kBodiesAtOnce = 256;
-constexpr int kRounds = 4;
 /// How often neighbours that touch tell each other how far they slide.
 constexpr int kSlidePasses = 3;
 /// After so many passes, bodies that would still have to stop earlier stay where they are, which ends it.
 constexpr int kStopPasses = 64;
-/// What is left of a motion counts from here on [m].
-constexpr double kLeastRest = 1e-9;
 /// Pushing less than this against a thing is no contact [m a cycle].
 constexpr double kLeastPush = 1e-6;
 
@@ -74,7 +72,7 @@ void ContactSolver::move(Bodies& bodies, const Surroundings& s, Workers& workers
   sort_by_speed(bodies);
   collect_busy(bodies, s, workers);
   if (busy_.empty()) return;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < binding::kSlideRounds; ++round) {
     if (!run_round(bodies, s, workers)) break;
   }
   for (const Busy& busy : busy_) {

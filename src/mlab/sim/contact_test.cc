@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/base/random.h"
+#include "mlab/binding/passage.h"
 #include "mlab/sim/simulator.h"
 
 namespace mlab::sim {
@@ -363,6 +364,40 @@ TEST(Contact, WhatIsNotANumberCountsAsStandingStill) {
   const BodyIndex body = add(simulator, {0, 0});
   run(simulator, {driving(NAN, INFINITY)}, 3);
   EXPECT_EQ(simulator.pose(body).position, (Point{0, 0}));
+}
+
+// Fences foresee by it where bodies are led to.
+TEST(Contact, IsForeseenByWhoFollowsAPassage) {
+  base::Random random(5);
+  const auto place = [&] { return Point{random.uniform(0, 30), random.uniform(0, 30)}; };
+  std::size_t met = 0;
+  for (int round = 0; round < 60; ++round) {
+    World world;
+    world.area_low = {0, 0};
+    world.area_high = {30, 30};
+    for (int k = 0; k < 12; ++k) world.discs.push_back({place(), random.uniform(0.3, 2.0)});
+    for (std::uint32_t k = 0; k < 5; ++k) world.walls.push_back({{place(), place()}, k});
+    Simulator simulator(world);
+    const double radius = random.uniform(0.1, 0.8);
+    const auto placed =
+        simulator.add_body({.spec = disc_body(radius), .pose = {{15, 15}, 0.0}, .robot = {1}, .unit = 0});
+    if (!placed) continue;
+    binding::Passage passage;
+    for (const Disc& disc : simulator.discs()) passage.add(disc);
+    for (const Wall& wall : simulator.walls()) passage.add(wall.segment);
+    passage.keep_within({kAreaMargin, kAreaMargin}, {30 - kAreaMargin, 30 - kAreaMargin});
+    for (int cycle = 0; cycle < 100; ++cycle) {
+      const Action action = driving(random.uniform(-8, 8), random.uniform(-8, 8));
+      const Point from = simulator.pose(placed->body).position;
+      const geom::Offset step{action.velocity.x * 0.3, action.velocity.y * 0.3};
+      const binding::Passage::Way way = passage.follow(from, step, radius);
+      simulator.step(std::span(&action, 1), 0.3);
+      ASSERT_NEAR(geom::distance(way.end(), simulator.pose(placed->body).position), 0.0, 1e-9)
+          << "round " << round << ", cycle " << cycle;
+      met += way.end() == from + step ? 0 : 1;
+    }
+  }
+  EXPECT_GT(met, 500U) << "it is about those that meet something";
 }
 
 }  // namespace

@@ -3,7 +3,7 @@ import type { Status_SilentMachine } from "../../core/protocol.ts";
 import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance, duration, headingDegrees } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
-import { robotState } from "../robots/robot_state.ts";
+import { faulted, robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session/session.ts";
 import { ReplaceButton } from "./replace_button.tsx";
 
@@ -34,12 +34,8 @@ export function RobotFacts({ id }: { id: number }) {
         <span className={`pill ${state.tone}`}>{state.word}</span>
         <span className="small muted">{typeText(roster.robot(id)?.type ?? "", roster.programOf(id))}</span>
       </div>
-      {detail.fault && (
-        <>
-          <p className="notice danger">{sentence(`it stands: ${detail.fault}`)}</p>
-          <ReplaceButton robots={[id]} />
-        </>
-      )}
+      {detail.fault && <p className="notice danger">{sentence(`it stands: ${detail.fault}`)}</p>}
+      {faulted(model.robots, [id]).length > 0 && <ReplaceButton robots={[id]} />}
       {detail.failsafe && (
         <p className="notice hold" data-testid="failsafe">
           <code>{detail.failsafe}</code> acts, whatever its program wants. Another order or the stick takes over.
