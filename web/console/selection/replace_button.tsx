@@ -6,16 +6,18 @@ import { usePart, useSession } from "../session/session.ts";
 export function ReplaceButton({ robots }: { robots: readonly number[] }) {
   const session = useSession();
   usePart("clients");
-  const isOne = robots.length === 1;
+  const roster = usePart("roster");
+  const [first] = robots;
+  const one = robots.length === 1 && first !== undefined ? roster.nameOf(first) : undefined;
   return (
     <div className="rows">
       <p className="muted">
-        {isOne
-          ? "Another robot of its type can take its place, under the same order: its program begins anew where it stands."
-          : "Others of their types can take their places, under the same orders: their programs begin anew where they stand."}
+        {one
+          ? `Another robot of its type can take the place of ${one}, under the same order: its program begins anew there.`
+          : "Others of their types can take their places, under the same orders: their programs begin anew there."}
       </p>
       <Button isDisabled={!session.model.isOperator()} onPress={() => void replaceRobots(session, robots)}>
-        {isOne ? "Replace it" : `Replace these ${robots.length}`}
+        {one ? `Replace ${one}` : `Replace these ${robots.length}`}
       </Button>
     </div>
   );
