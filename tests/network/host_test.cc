@@ -46,7 +46,12 @@ TEST_F(HostTest, HasFilesOfItsOwnBesideThoseThatAreShared) {
     TestNetwork network({.hosts = {{"alpha"}, {"bravo"}}, .shared = {shared}});
     said(network.host("alpha").start(
         {"sh", "-c", "echo mine > /tmp/own; echo ours > " + (shared / "file").string()}));
-    EXPECT_EQ(said(network.host("bravo").start({"sh", "-c", "ls /tmp; cat " + (shared / "file").string()})),
+    // Where the project itself is there, hosts have to see it.
+    const std::string own = fs::canonical("/proc/self/exe");
+    const std::string project = own.starts_with("/tmp/") ? own.substr(5, own.find('/', 5) - 5) : "";
+    const std::string others = project.empty() ? "" : " | grep -vx '" + project + "'";
+    EXPECT_EQ(said(network.host("bravo").start(
+                  {"sh", "-c", "ls /tmp" + others + "; cat " + (shared / "file").string()})),
               shared.filename().string() + "\nours\n");
     std::ifstream file(network.host("alpha").path("/tmp/own"));
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "mine\n");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -16,14 +17,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Those that hosts would not see of themselves; where the test program is, too, for it was built there.
+bool is_in(const std::string& folder, const std::string& other) {
+  return folder == other || folder.starts_with(other + "/");
+}
+
+// Those that hosts would not see of themselves; where the project is, and was built, too. One that is in
+// another one comes with that.
 std::vector<std::string> hidden_folders(const NetworkSetup& setup) {
   std::vector<std::string> wanted = setup.shared;
-  wanted.push_back(fs::read_symlink("/proc/self/exe").parent_path());
+  for (const fs::path& own : {fs::read_symlink("/proc/self/exe"), fs::path(MLAB_SHIFTED_CLOCK)})
+    wanted.push_back(own.parent_path());
+  wanted.emplace_back(MLAB_NETWORK_SOURCES);
+  for (std::string& folder : wanted) folder = fs::absolute(folder).lexically_normal();
+  std::ranges::sort(wanted);
   std::vector<std::string> out;
   for (const std::string& folder : wanted) {
-    const std::string absolute = fs::absolute(folder).lexically_normal();
-    if (absolute.starts_with("/tmp/")) out.push_back(absolute);
+    const bool comes_with =
+        std::ranges::any_of(out, [&](const std::string& other) { return is_in(folder, other); });
+    if (folder.starts_with("/tmp/") && !comes_with) out.push_back(folder);
   }
   return out;
 }
