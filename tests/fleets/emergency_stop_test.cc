@@ -111,6 +111,51 @@ TEST_F(EmergencyStop, NamesWhomItCannotReachAndReachesHimLater) {
   EXPECT_TRUE(far.prints("the emergency stop was released by base", kFleetPatience)) << far.output();
 }
 
+TEST_F(EmergencyStop, NamesAnAgentThatOnlyOthersHaveHeard) {
+  make_network(36);
+  const Process north = agent("north");
+  const Process south = agent("south");
+  const Said before = fleet({"--once"});  // so both have been heard, and hear each other
+  ASSERT_TRUE(before.output.contains("north") && before.output.contains("south")) << before.output;
+  net().isolate(net().host("south"));
+  const Said stopped = fleet({"--stop"});
+  EXPECT_EQ(stopped.ending, "exit status 1");
+  EXPECT_NE(stopped.output.find("1 of 2 agents of the fleet `alpha` have confirmed"), std::string::npos)
+      << stopped.output;
+  EXPECT_NE(stopped.errors.find("not confirmed by `south` (known by agent north, last heard "),
+            std::string::npos)
+      << stopped.errors;
+  net().join(net().host("south"));
+  EXPECT_TRUE(south.prints("EMERGENCY STOP by base: all robots here stand", kFleetPatience));
+  const Said again = fleet({"--stop"});
+  EXPECT_EQ(again.ending, "exit status 0") << again.errors;
+}
+
+TEST_F(EmergencyStop, NamesAnAgentThatARunHasRobotsAt) {
+  make_network(37);
+  const Process south = agent("south");
+  Process far = errand({"--real-time"});
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  net().isolate(net().host("south"));
+  const Said stopped = fleet({"--stop"});
+  EXPECT_EQ(stopped.ending, "exit status 1");
+  EXPECT_NE(stopped.errors.find("not confirmed by `south` (known by run errand on base, last heard "),
+            std::string::npos)
+      << stopped.errors;
+}
+
+TEST_F(EmergencyStop, MissesNobodyWhoLeftInOrder) {
+  make_network(38);
+  const Process north = agent("north");
+  Process south = agent("south");
+  ASSERT_TRUE(fleet({"--once"}).output.contains("south"));
+  ASSERT_TRUE(south.signal(SIGTERM));
+  ASSERT_TRUE(south.wait(kFleetPatience));
+  const Said stopped = fleet({"--stop"});
+  EXPECT_EQ(stopped.ending, "exit status 0") << stopped.errors;
+  EXPECT_NE(stopped.output.find("1 of 1 agents"), std::string::npos) << stopped.output;
+}
+
 TEST_F(EmergencyStop, OfNobodyIsSaidToBeSo) {
   make_network(35);
   const Said nobody = fleet({"--stop"});

@@ -17,6 +17,7 @@
 #include "mlab/agents/conversation.h"
 #include "mlab/agents/dds_live_line.h"
 #include "mlab/agents/echo.h"
+#include "mlab/agents/missed.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
@@ -47,14 +48,16 @@ std::string counted_robots(std::size_t count) {
 class AgentProcess {
  public:
   AgentProcess(const AgentSettings& settings, std::shared_ptr<Roster> roster, dds::Waiter waiter,
-               dds::Reader requests, dds::Reader stops, EchoAnswerer echoes, dds::Writer presence)
+               dds::Reader requests, dds::Reader stops, EchoAnswerer echoes, dds::Writer presence,
+               MissedTeller missed)
       : settings_(settings),
         roster_(std::move(roster)),
         waiter_(std::move(waiter)),
         requests_(std::move(requests)),
         stops_(std::move(stops)),
         echoes_(std::move(echoes)),
-        presence_(std::move(presence)) {}
+        presence_(std::move(presence)),
+        missed_(std::move(missed)) {}
 
   void serve(const std::stop_token& stop) {
     const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
@@ -65,6 +68,7 @@ class AgentProcess {
       if (Clock::now() >= next_beat) {
         say_presence();
         hear_of_stop_from_others();
+        tell_whom_it_misses();
         next_beat = Clock::now() + kBeat;
       }
       waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
@@ -173,6 +177,12 @@ class AgentProcess {
     }
   }
 
+  void tell_whom_it_misses() {
+    std::vector<Member> others = roster_->members();
+    std::erase_if(others, [&](const Member& one) { return one.said.name() == settings_.name; });
+    missed_.say(missed_among(std::move(others), stop_, Clock::now()));
+  }
+
   void heed(std::optional<StopState> state) {
     if (!state || !state->overrides(stop_)) return;
     const bool was_stopped = stop_.is_engaged;
@@ -182,6 +192,7 @@ class AgentProcess {
     if (const auto problem = stop_file_.write(stop_))
       settings_.tell(fmt::format("the emergency stop will not outlive this agent: {}", *problem));
     say_presence();
+    tell_whom_it_misses();
     if (stop_.is_engaged)
       settings_.tell(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by));
     else if (was_stopped)
@@ -228,6 +239,7 @@ class AgentProcess {
   dds::Reader stops_;
   EchoAnswerer echoes_;
   dds::Writer presence_;
+  MissedTeller missed_;
   StopFile stop_file_{settings_.stop_file};
   StopState stop_ = stop_file_.read();
   std::atomic<bool> is_stopped_ = stop_.is_engaged;
@@ -268,8 +280,10 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!echoes) return echoes.error();
   auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
   if (!presence) return presence.error();
+  auto missed = MissedTeller::open(participant, "agent " + settings.name);
+  if (!missed) return missed.error();
   AgentProcess process(settings, std::move(*roster), std::move(*waiter), std::move(*requests),
-                       std::move(*stops), std::move(*echoes), std::move(*presence));
+                       std::move(*stops), std::move(*echoes), std::move(*presence), std::move(*missed));
   if (settings.tell_ready) settings.tell_ready();
   process.serve(stop);
   return std::nullopt;

@@ -60,6 +60,7 @@ class Recruits {
         continue;
       }
       known_[one.said.name()] = one.guid;
+      roster_->hold(one.said.name());
       auto agent = std::make_unique<robot_remote::Agent>(one.said.name(), std::move(*link));
       if (auto problem = agent->open(seed_, version_, period_))
         out.why_none = std::move(*problem);

@@ -126,6 +126,11 @@ std::optional<Member> Roster::find(std::string_view name) const {
   return at == members_.end() ? std::nullopt : std::optional(at->second);
 }
 
+void Roster::hold(std::string_view name) {
+  const std::scoped_lock lock(mutex_);
+  if (const auto at = members_.find(name); at != members_.end()) at->second.is_held = true;
+}
+
 std::optional<Roster::Sighting> Roster::sight(std::string_view name) const {
   const std::scoped_lock lock(mutex_);
   const auto at = members_.find(name);

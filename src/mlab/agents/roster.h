@@ -33,6 +33,7 @@ struct Member {
   bool has_left = false;    ///< in order: nobody there is commanded any more
   Clock::time_point since;  ///< of the state
   Clock::time_point heard;  ///< when it spoke last
+  bool is_held = false;     ///< Roster::hold
 };
 
 /// How long a silent agent is waited for.
@@ -56,6 +57,8 @@ class Roster {
   /// By name; those that have gone stand there as long as this does.
   std::vector<Member> members() const;
   std::optional<Member> find(std::string_view name) const;
+  /// A run here works with it: it is missed for as long as this roster is there.
+  void hold(std::string_view name);
   /// Of a member what changes all the time.
   struct Sighting {
     dds::Guid guid;

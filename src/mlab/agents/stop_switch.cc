@@ -12,6 +12,14 @@ namespace {
 constexpr std::chrono::milliseconds kUrgent(20);
 constexpr std::chrono::seconds kUrgentFor(1);
 constexpr std::chrono::milliseconds kRepeat(200);
+constexpr std::chrono::milliseconds kTellMissed(500);
+
+// Two that have heard the same from somebody differ by no more [s].
+constexpr double kSameMoment = 2.0;
+
+double seconds_between(Clock::time_point then, Clock::time_point now) {
+  return std::chrono::duration<double>(now - then).count();
+}
 
 bool has_acknowledged(const Member& agent, const StopState& state) {
   const auto there = decode(agent.said.stop());
@@ -20,7 +28,8 @@ bool has_acknowledged(const Member& agent, const StopState& state) {
 
 }  // namespace
 
-std::expected<std::unique_ptr<StopSwitch>, std::string> StopSwitch::open(std::shared_ptr<Roster> roster) {
+std::expected<std::unique_ptr<StopSwitch>, std::string> StopSwitch::open(std::shared_ptr<Roster> roster,
+                                                                         std::string by) {
   auto waiter = dds::Waiter::make();
   if (!waiter) return std::unexpected(waiter.error());
   dds::Participant& participant = roster->participant();
@@ -28,16 +37,28 @@ std::expected<std::unique_ptr<StopSwitch>, std::string> StopSwitch::open(std::sh
   if (!reader) return std::unexpected(reader.error());
   auto writer = participant.writer(kStopTopic, dds::ChannelKind::kEmergencyStop);
   if (!writer) return std::unexpected(writer.error());
-  return std::unique_ptr<StopSwitch>(
-      new StopSwitch(std::move(roster), std::move(*waiter), std::move(*reader), std::move(*writer)));
+  auto hearsay = Hearsay::open(participant, *waiter);
+  if (!hearsay) return std::unexpected(hearsay.error());
+  std::optional<MissedTeller> teller;
+  if (!by.empty()) {
+    auto opened = MissedTeller::open(participant, std::move(by));
+    if (!opened) return std::unexpected(opened.error());
+    teller.emplace(std::move(*opened));
+  }
+  return std::unique_ptr<StopSwitch>(new StopSwitch(std::move(roster), std::move(*waiter), std::move(*reader),
+                                                    std::move(*writer), std::move(*hearsay),
+                                                    std::move(teller)));
 }
 
 StopSwitch::StopSwitch(std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Reader reader,
-                       dds::Writer writer)
+                       dds::Writer writer, std::unique_ptr<Hearsay> hearsay,
+                       std::optional<MissedTeller> teller)
     : roster_(std::move(roster)),
       waiter_(std::move(waiter)),
       reader_(std::move(reader)),
       writer_(std::move(writer)),
+      hearsay_(std::move(hearsay)),
+      teller_(std::move(teller)),
       thread_([this](const std::stop_token& stop) { serve(stop); }) {}
 
 StopSwitch::~StopSwitch() {
@@ -102,6 +123,7 @@ void StopSwitch::adopt(const StopState& state) {
 // What others have said, and what holds at agents. True: something else holds now.
 bool StopSwitch::listen() {
   std::vector<StopState> heard;
+  hearsay_->listen();
   for (const dds::Arrival& arrival : reader_.take()) {
     if (arrival.kind != dds::Arrival::Kind::kMessage) continue;
     if (auto state = decode(arrival.body)) heard.push_back(std::move(*state));
@@ -118,9 +140,14 @@ bool StopSwitch::listen() {
 
 void StopSwitch::serve(const std::stop_token& stop) {
   Clock::time_point next_repeat;
+  Clock::time_point next_telling;
   std::size_t missing_before = 0;
   while (!stop.stop_requested()) {
     const bool has_changed = listen();
+    if (teller_ && (has_changed || Clock::now() >= next_telling)) {
+      teller_->say(missed_among(roster_->members(), state(), Clock::now()));
+      next_telling = Clock::now() + kTellMissed;
+    }
     const std::size_t missing = unreached().size();
     if (has_changed || missing != missing_before) {
       const std::scoped_lock lock(telling_);
@@ -141,19 +168,37 @@ bool StopSwitch::is_fresh() const {
   return state_.number > 0 && Clock::now() - since_ < kUrgentFor;
 }
 
+// Those of which nothing is known here; of others this knows better. One that has left may be there again
+// since then.
+std::vector<Hearsay::Entry> StopSwitch::known_by_others() const {
+  const Clock::time_point now = Clock::now();
+  std::vector<Hearsay::Entry> out = hearsay_->all(now);
+  std::erase_if(out, [&](const Hearsay::Entry& entry) {
+    const auto own = roster_->sight(entry.agent.name);
+    return own && !(own->has_left && seconds_between(own->heard, now) > entry.agent.silent + kSameMoment);
+  });
+  return out;
+}
+
 std::vector<StopSwitch::Unreached> StopSwitch::unreached() const {
   const StopState wanted = state();
   std::vector<Unreached> out;
   if (wanted.number == 0) return out;
+  const Clock::time_point now = Clock::now();
   for (const Member& agent : roster_->members()) {
     if (has_acknowledged(agent, wanted) || agent.has_left) continue;
-    out.push_back({agent.said.name(), std::chrono::duration<double>(Clock::now() - agent.heard).count()});
+    out.push_back({agent.said.name(), seconds_between(agent.heard, now), "", agent.said.host()});
   }
+  for (Hearsay::Entry& one : known_by_others())
+    out.push_back(
+        {std::move(one.agent.name), one.agent.silent, std::move(one.by), std::move(one.agent.machine)});
+  std::ranges::sort(out, {}, &Unreached::name);
   return out;
 }
 
 std::size_t StopSwitch::agent_count() const {
-  return static_cast<std::size_t>(std::ranges::count(roster_->members(), false, &Member::has_left));
+  return static_cast<std::size_t>(std::ranges::count(roster_->members(), false, &Member::has_left)) +
+         known_by_others().size();
 }
 
 }  // namespace mlab::agents

@@ -4,10 +4,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "mlab/agents/missed.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/stop_state.h"
 #include "mlab/dds/reader.h"
@@ -20,8 +22,10 @@ namespace mlab::agents {
 /// have acknowledged it. May be used by any thread.
 class StopSwitch {
  public:
-  /// @errors  a sentence: the network can't be used
-  static std::expected<std::unique_ptr<StopSwitch>, std::string> open(std::shared_ptr<Roster> roster);
+  /// @param by  who tells others whom he misses, for people: `run patrol on base`; empty: that isn't told
+  /// @errors    a sentence: the network can't be used
+  static std::expected<std::unique_ptr<StopSwitch>, std::string> open(std::shared_ptr<Roster> roster,
+                                                                      std::string by = {});
   StopSwitch(const StopSwitch&) = delete;
   StopSwitch& operator=(const StopSwitch&) = delete;
   ~StopSwitch();
@@ -35,9 +39,13 @@ class StopSwitch {
   struct Unreached {
     std::string name;
     double silent = 0.0;  ///< since it was heard last [s]
+    std::string by;       ///< who says so of one that was never heard here, for people; empty: it was
+    std::string machine;  ///< its own name, for people
   };
-  /// By name. Agents that have left the fleet in order are not among them.
+  /// By name. Agents that have left the fleet in order are not among them. One that was never heard here is
+  /// where somebody else in the fleet misses it.
   std::vector<Unreached> unreached() const;
+  /// With those that only others know of.
   std::size_t agent_count() const;
 
   /// Called whenever the state or who is unreached may have changed, on the switch's thread; it must not call
@@ -45,18 +53,22 @@ class StopSwitch {
   void tell(std::function<void()> changed);
 
  private:
-  StopSwitch(std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Reader reader, dds::Writer writer);
+  StopSwitch(std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Reader reader, dds::Writer writer,
+             std::unique_ptr<Hearsay> hearsay, std::optional<MissedTeller> teller);
   void spread();
   void serve(const std::stop_token& stop);
   bool listen();
   void say();
   bool is_fresh() const;
   void adopt(const StopState& state);
+  std::vector<Hearsay::Entry> known_by_others() const;
 
   std::shared_ptr<Roster> roster_;
   dds::Waiter waiter_;
   dds::Reader reader_;
   dds::Writer writer_;
+  std::unique_ptr<Hearsay> hearsay_;
+  std::optional<MissedTeller> teller_;  // of the switch's thread
   mutable std::mutex mutex_;
   StopState state_;
   std::uint64_t own_pull_ = 0;  // the last that was pulled here; 0: none

@@ -17,6 +17,8 @@ inline constexpr std::string_view kPresenceTopic = "agents";  ///< proto/mlab/pr
 inline constexpr std::string_view kStopTopic = "stop";  ///< EmergencyStop of that file, by kStopKey
 inline constexpr std::string_view kStopKey = "fleet";
 
+inline constexpr std::string_view kMissedTopic = "missed";  ///< MissedAgents of that file, by who says it
+
 inline constexpr std::string_view kEchoQuestionTopic = "echo/asked";  ///< EchoQuestion, by asker
 inline constexpr std::string_view kEchoTopic = "echo/answered";       ///< Echo, by agent
 

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "mlab/agents/agent_process.h"
 #include "mlab/agents/stop_switch.h"
 
@@ -18,9 +20,10 @@ class FleetStopLine final : public run::StopLine {
   }
   void engage() override { all_->engage(stopping_person()); }
   void release() override { all_->release(stopping_person()); }
-  std::vector<std::string> unreached() const override {
-    std::vector<std::string> out;
-    for (agents::StopSwitch::Unreached& one : all_->unreached()) out.push_back(std::move(one.name));
+  std::vector<Unreached> unreached() const override {
+    std::vector<Unreached> out;
+    for (agents::StopSwitch::Unreached& one : all_->unreached())
+      out.push_back({std::move(one.name), std::move(one.by), one.silent});
     return out;
   }
   void tell(std::function<void()> changed) override { all_->tell(std::move(changed)); }
@@ -31,14 +34,25 @@ class FleetStopLine final : public run::StopLine {
 
 }  // namespace
 
+std::string age(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.0f} h", seconds / 3600.0);
+}
+
+std::string about_unreached(const std::string& by, double silent) {
+  if (!by.empty()) return fmt::format(" (known by {}, last heard {} ago)", by, age(silent));
+  return silent > 2.0 ? fmt::format(" (silent for {})", age(silent)) : "";
+}
+
 std::string stopping_person() {
   std::string name = agents::machine_name();
   return name.empty() ? "somebody" : name;
 }
 
 std::expected<std::shared_ptr<run::StopLine>, std::string> fleet_stop_line(
-    std::shared_ptr<agents::Roster> roster) {
-  auto all = agents::StopSwitch::open(std::move(roster));
+    std::shared_ptr<agents::Roster> roster, std::string by) {
+  auto all = agents::StopSwitch::open(std::move(roster), std::move(by));
   if (!all) return std::unexpected(all.error());
   return std::make_shared<FleetStopLine>(std::move(*all));
 }

@@ -10,9 +10,17 @@
 namespace mlab::cli {
 
 /// The emergency stop of a fleet, for a run.
-/// @errors  a sentence
+/// @param by  what others call it: `run patrol on base`
+/// @errors    a sentence
 std::expected<std::shared_ptr<run::StopLine>, std::string> fleet_stop_line(
-    std::shared_ptr<agents::Roster> roster);
+    std::shared_ptr<agents::Roster> roster, std::string by);
+
+/// A length of time for people: `14 s`, `3 min`, `5 h`.
+std::string age(double seconds);
+
+/// What is said behind the name of an agent that has not confirmed: how long nothing has been heard of it,
+/// and who knows of it where it was never heard here. Empty: it was heard just now.
+std::string about_unreached(const std::string& by, double silent);
 
 /// Who pulls it from here: the machine's name.
 std::string stopping_person();

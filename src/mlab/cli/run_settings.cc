@@ -14,6 +14,7 @@
 #include "mlab/cli/fleet_stop.h"
 #include "mlab/cli/version.h"
 #include "mlab/robot/program/configuration_file.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
@@ -53,6 +54,13 @@ bool outputs_are_usable(const RunOptions& options) {
   return false;
 }
 
+// As others in the fleet know it.
+std::string name_of_run(const RunOptions& options) {
+  const std::string mission = std::filesystem::path(options.mission).stem().string();
+  return fmt::format("{}{} on {}", mission.empty() ? "console" : "run ", text::shown(mission),
+                     stopping_person());
+}
+
 // Where the robots of the run are, and whether they are waited for.
 std::optional<std::string> settle_robots(const RunOptions& options, RunManner& out) {
   const NetworkOptions& network = options.network;
@@ -76,7 +84,7 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
   if (!reached) return reached.error();
   const auto roster = agents::Roster::join(*reached);
   if (!roster) return roster.error();
-  auto stop_line = fleet_stop_line(*roster);
+  auto stop_line = fleet_stop_line(*roster, name_of_run(options));
   if (!stop_line) return stop_line.error();
   out.settings.stop_line = std::move(*stop_line);
   out.settings.robots_elsewhere = [roster = *roster, is_live = options.real_time](std::uint64_t seed,

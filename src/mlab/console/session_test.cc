@@ -242,7 +242,9 @@ class SharedStop final : public run::StopLine {
   }
   void engage() override { change({true, "here"}); }
   void release() override { change({false, "here"}); }
-  std::vector<std::string> unreached() const override { return {"south"}; }
+  std::vector<Unreached> unreached() const override {
+    return {{.name = "south"}, {.name = "west", .by = "agent north", .silent = 7.0}};
+  }
   void tell(std::function<void()> changed) override {
     const std::scoped_lock lock(mutex_);
     changed_ = std::move(changed);
@@ -268,8 +270,9 @@ TEST(Session, AnEmergencyStopThatOthersShareIsFollowedAndSaid) {
   ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 1.0; }));
   line->change({true, "the other console"});
   ASSERT_TRUE(wait_for(anna, Status::STOPPED));
-  ASSERT_EQ(anna.status().stop().unreached_size(), 1);
+  ASSERT_EQ(anna.status().stop().unreached_size(), 2);
   EXPECT_EQ(anna.status().stop().unreached(0), "south");
+  EXPECT_EQ(anna.status().stop().unreached(1), "west (known by agent north)");
   line->change({false, "the other console"});
   ASSERT_TRUE(wait_for(anna, Status::PAUSED)) << "it does not go on by itself";
   session->emergency_stop();

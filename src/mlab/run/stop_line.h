@@ -24,8 +24,13 @@ class StopLine {
   /// Both come back at once, and hold from then on.
   virtual void engage() = 0;
   virtual void release() = 0;
-  /// Machines whose robots are to stand, or to go again, and that have not said so.
-  virtual std::vector<std::string> unreached() const = 0;
+  /// A machine whose robots are to stand, or to go again, and that has not said so.
+  struct Unreached {
+    std::string name;
+    std::string by = {};  ///< who else in the fleet knows of it, for people; empty: it was heard here
+    double silent = 0.0;  ///< since it was heard last [s]
+  };
+  virtual std::vector<Unreached> unreached() const = 0;
   /// Called whenever something of this may have changed, on a thread of the line's; it must not wait. Whoever
   /// was called before isn't any more when this comes back.
   virtual void tell(std::function<void()> changed) = 0;

@@ -39,12 +39,6 @@ double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
-std::string age(double seconds) {
-  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.0f} h", seconds / 3600.0);
-}
-
 std::string state_of(const Member& member) {
   switch (member.state) {
     case Member::State::kThere:
@@ -142,8 +136,7 @@ void wait_for_agents(const agents::Roster& roster) {
 std::string listed(const std::vector<agents::StopSwitch::Unreached>& agents) {
   std::string out;
   for (const agents::StopSwitch::Unreached& one : agents)
-    out += fmt::format("{}`{}`{}", out.empty() ? "" : ", ", one.name,
-                       one.silent > 2.0 ? fmt::format(" (silent for {})", age(one.silent)) : "");
+    out += fmt::format("{}`{}`{}", out.empty() ? "" : ", ", one.name, about_unreached(one.by, one.silent));
   return out;
 }
 
@@ -183,10 +176,6 @@ int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> ros
   fmt::print("{}: {} of {} agents of the fleet `{}` have confirmed\n",
              options.stop ? "EMERGENCY STOP" : "the emergency stop is released", count - unreached.size(),
              count, fleet);
-  if (options.stop)
-    fmt::print(
-        "An agent that could not be heard before is not among them: runs and consoles that know it name "
-        "it\n");
   if (unreached.empty()) return kDone;
   fmt::print(stderr, "mlab fleet: not confirmed by {}; each hears of it from the others when it is back\n",
              listed(unreached));

@@ -10,12 +10,12 @@
 #include <thread>
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include "mlab/base/counted.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/fleet_stop.h"
 #include "mlab/cli/input.h"
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/other_language.h"
@@ -126,13 +126,19 @@ class SharedStop {
                          : fmt::format("the emergency stop was released by {}", state.by));
   }
   void tell_unreached() {
-    std::vector<std::string> names = line_->unreached();
+    std::vector<std::string> names;
+    std::string listed;
+    for (const run::StopLine::Unreached& one : line_->unreached()) {
+      names.push_back(one.name);
+      listed +=
+          fmt::format("{}`{}`{}", listed.empty() ? "" : ", ", one.name, about_unreached(one.by, one.silent));
+    }
     if (names == told_) return;
     told_ = std::move(names);
     say(told_.empty()
             ? "the emergency stop is confirmed by all"
-            : fmt::format("the emergency stop is not confirmed by `{}`: stop those robots by other means",
-                          fmt::join(told_, "`, `")));
+            : fmt::format("the emergency stop is not confirmed by {}: stop those robots by other means",
+                          listed));
   }
   void say(const std::string& text) { screen_.line(fmt::format("[{:9.1f} s] {}", run_.time(), text)); }
 

@@ -195,7 +195,11 @@ void RunControl::follow_stop_line() {
 }
 
 std::vector<std::string> RunControl::not_known_to_stand() const {
-  return stop_line_ && is_stopped_ ? stop_line_->unreached() : std::vector<std::string>();
+  std::vector<std::string> out;
+  if (!stop_line_ || !is_stopped_) return out;
+  for (const run::StopLine::Unreached& one : stop_line_->unreached())
+    out.push_back(one.by.empty() ? one.name : fmt::format("{} (known by {})", one.name, one.by));
+  return out;
 }
 
 void RunControl::engage_stop(const std::string& by) {
