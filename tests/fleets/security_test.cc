@@ -139,6 +139,46 @@ TEST_F(SecuredFleet, RefusesAMemberThatWasWithdrawn) {
   EXPECT_TRUE(told.errors.contains("was withdrawn: it takes part no more")) << told.errors;
 }
 
+TEST_F(SecuredFleet, HasNoHalfMadeIdentityAfterAFullDisk) {
+  make_network(45);
+  for (const std::size_t pages : {3U, 5U, 7U, 8U, 9U, 10U, 12U, 20U}) {
+    const std::string disk = fmt::format("/tmp/disk{}", pages);
+    ASSERT_EQ(base().mount_disk(disk, pages * 4096), "");
+    const auto keys_on = [&](const std::string& folder, const std::vector<std::string>& more) {
+      std::vector<std::string> words = {MLAB_COMMAND, "keys", "alpha"};
+      words.insert(words.end(), more.begin(), more.end());
+      Process out = base().start(words, {.environment = {{"XDG_STATE_HOME", folder}}});
+      const auto ending = out.wait(kFleetPatience);
+      return Said{ending ? ending->words() : "none", out.output(), out.errors()};
+    };
+    const Said full = keys_on(disk, {});
+    const fs::path own = base().path(disk + "/mlab/keys/alpha/own");
+    EXPECT_EQ(full.ending == "exit status 0", fs::exists(own / "identity.crt")) << pages << full.errors;
+    EXPECT_EQ(keys_on(disk, {}).ending, full.ending) << "it is no better the second time: " << pages;
+    // On a disk that has place what is there is made whole.
+    fs::copy(base().path(disk), base().path(disk + "-larger"), fs::copy_options::recursive);
+    const Said larger = keys_on(disk + "-larger", {});
+    EXPECT_EQ(larger.ending, "exit status 0") << pages << larger.errors;
+    EXPECT_TRUE(larger.output.contains("this machine's identity, which --secure uses")) << larger.output;
+    EXPECT_TRUE(fs::exists(base().path(disk + "-larger/mlab/keys/alpha/own/identity.crt")));
+    fs::remove_all(base().path(disk + "-larger"));
+  }
+}
+
+TEST_F(SecuredFleet, SaysHowAWithdrawnOwnIdentityIsMadeAnew) {
+  make_network(46);
+  ASSERT_NO_FATAL_FAILURE(make_keys(base()));
+  const Said withdrawn = mlab(base(), {"keys", "alpha", "--withdraw", "own"});
+  EXPECT_TRUE(withdrawn.output.contains("`mlab keys alpha --add own` makes another")) << withdrawn.output;
+  EXPECT_TRUE(mlab(base(), {"keys", "alpha"}).output.contains("`mlab keys alpha --add own` makes"));
+  const Said joined = fleet(base(), {"--once", "--secure"});
+  EXPECT_EQ(joined.ending, "exit status 2");
+  EXPECT_TRUE(joined.errors.contains("`mlab keys alpha --add own` makes its identity")) << joined.errors;
+  EXPECT_EQ(mlab(base(), {"keys", "alpha", "--add", "own"}).ending, "exit status 0");
+  EXPECT_TRUE(
+      mlab(base(), {"keys", "alpha"}).output.contains("this machine's identity, which --secure uses"));
+}
+
 TEST_F(SecuredFleet, IsNotJoinedWithoutAnIdentity) {
   make_network(44);
   const Said joined = mlab(base(), {"agent", "--fleet", "alpha", "--secure"});

@@ -31,7 +31,13 @@ std::expected<dds::Network, std::string> network_of(const NetworkOptions& option
   if (folder.empty())
     return std::unexpected(
         "--secure: there is no folder for keys, since HOME is not set: --secure FOLDER names one");
-  if (!std::filesystem::is_directory(folder, failure))
+  const bool is_missing = !std::filesystem::is_directory(folder, failure);
+  if (is_missing && options.identity.empty() && keys::FleetKeys::are_there(keys_folder(out.fleet)))
+    return std::unexpected(fmt::format(
+        "--secure: there is no folder `{}`: this machine has the fleet's keys, and `mlab keys {} --add {}` "
+        "makes its identity",
+        folder, out.fleet, keys::kOwnIdentity));
+  if (is_missing)
     return std::unexpected(
         fmt::format("--secure: there is no folder `{}`: `mlab keys {}` makes one, or `mlab keys {} --add "
                     "NAME` on the machine "

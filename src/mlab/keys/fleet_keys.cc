@@ -128,7 +128,7 @@ std::expected<fs::path, std::string> FleetKeys::add(const std::string& name) {
                     "`authority`",
                     text::shown(name), kLongestName));
   std::error_code failure;
-  if (fs::exists(issued(name), failure))
+  if (fs::exists(issued(name), failure) && !is_half_made(name))
     return std::unexpected(
         fmt::format("the fleet `{}` has an identity `{}` already: --withdraw {} makes place for another",
                     fleet_, name, name));
@@ -151,9 +151,31 @@ std::expected<fs::path, std::string> FleetKeys::add(const std::string& name) {
       {folder / kKeyFile, &pair->key},
       {folder / kCertificateFile, &pair->certificate}};
   for (const auto& [file, text] : files) {
-    if (const auto written = write_private(file, *text); !written) return std::unexpected(written.error());
+    const auto written = write_private(file, *text);
+    if (written) continue;
+    // Nobody has it yet: it is as if it had never been. What else lies there is somebody's.
+    for (const auto& one : files) fs::remove(one.first, failure);
+    fs::remove(folder, failure);
+    return std::unexpected(written.error());
   }
   return folder;
+}
+
+// A folder that is not here is on its machine. The certificate is written last.
+bool FleetKeys::is_half_made(const std::string& name) const {
+  std::error_code failure;
+  return fs::is_directory(folder_ / name, failure) && !fs::exists(folder_ / name / kCertificateFile, failure);
+}
+
+std::vector<std::string> FleetKeys::half_made() const {
+  std::vector<std::string> out = names();
+  std::erase_if(out, [this](const std::string& name) { return !is_half_made(name); });
+  return out;
+}
+
+bool FleetKeys::was_withdrawn(const std::string& name) const {
+  std::error_code failure;
+  return fs::exists(authority() / "withdrawn" / fmt::format("{}_1{}", name, kEnding), failure);
 }
 
 std::expected<void, std::string> FleetKeys::withdraw(const std::string& name) {

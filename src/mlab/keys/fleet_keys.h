@@ -26,7 +26,8 @@ bool is_identity_name(std::string_view name);
 ///     NAME/               an identity, to be moved to its machine (identity.h)
 ///
 /// Folders have mode 0700, files 0600. Whoever is killed in between leaves whole files behind; calling the
-/// same once more goes on. Who has opened them keeps others waiting.
+/// same once more goes on. What can't be written whole, on a full disk say, is taken back. Who has opened
+/// them keeps others waiting.
 class FleetKeys {
  public:
   /// Makes the authority where there is none, and the folder.
@@ -39,7 +40,7 @@ class FleetKeys {
   /// Whether `open` would find an authority there.
   static bool are_there(const std::filesystem::path& folder);
 
-  /// Makes an identity, good for two years.
+  /// Makes an identity, good for two years. One that is half made is made anew.
   /// @return  its folder
   /// @errors  a sentence: a name that can't be used or is in use
   std::expected<std::filesystem::path, std::string> add(const std::string& name);
@@ -52,6 +53,10 @@ class FleetKeys {
 
   /// Those that are good, by name.
   std::vector<std::string> names() const;
+  /// Of these, those whose folder here lacks files, by name: they can't be used.
+  std::vector<std::string> half_made() const;
+  /// Whether an identity of that name was withdrawn once.
+  bool was_withdrawn(const std::string& name) const;
   /// The list of those who were withdrawn, a file to be brought to other machines.
   std::filesystem::path withdrawn_file() const;
 
@@ -64,6 +69,7 @@ class FleetKeys {
   std::expected<void, std::string> write_list(const std::filesystem::path& also = {}) const;
   std::filesystem::path authority() const { return folder_ / "authority"; }
   std::filesystem::path issued(const std::string& name) const;
+  bool is_half_made(const std::string& name) const;
 
   std::filesystem::path folder_;
   std::string fleet_;

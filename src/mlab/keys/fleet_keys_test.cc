@@ -75,6 +75,39 @@ TEST(FleetKeys, AreAsBeforeWhereAWithdrawalFailed) {
   EXPECT_TRUE(is_gone && *is_gone);
 }
 
+TEST(FleetKeys, TakeBackAnIdentityThatCanNotBeWrittenWhole) {
+  const TemporaryFolder temporary;
+  FleetKeys keys = opened(temporary.path() / "alpha");
+  const fs::path north = temporary.path() / "alpha" / "north";
+  fs::create_directories(north / kKeyFile / "in the way");
+  ASSERT_FALSE(keys.add("north"));
+  EXPECT_TRUE(keys.names().empty());
+  for (const char* file :
+       {kAuthorityFile, kGovernanceFile, kPermissionsFile, kWithdrawnFile, kCertificateFile})
+    EXPECT_FALSE(fs::exists(north / file)) << file;
+  EXPECT_TRUE(fs::exists(north / kKeyFile / "in the way")) << "it is somebody's";
+  fs::remove_all(north);
+  ASSERT_TRUE(keys.add("north"));
+  EXPECT_TRUE(check_identity(north, "alpha"));
+}
+
+TEST(FleetKeys, MakeAnewWhatIsHalfMade) {
+  const TemporaryFolder temporary;
+  FleetKeys keys = opened(temporary.path() / "alpha");
+  const fs::path north = keys.add("north").value();
+  EXPECT_TRUE(keys.half_made().empty());
+  fs::remove(north / kCertificateFile);  // as somebody leaves it who is killed
+  EXPECT_EQ(keys.half_made(), std::vector<std::string>{"north"});
+  ASSERT_TRUE(keys.add("north"));
+  EXPECT_TRUE(keys.half_made().empty());
+  EXPECT_TRUE(check_identity(north, "alpha"));
+  fs::remove_all(north);
+  EXPECT_TRUE(keys.half_made().empty()) << "it is on its machine";
+  EXPECT_FALSE(keys.was_withdrawn("north"));
+  ASSERT_TRUE(keys.withdraw("north"));
+  EXPECT_TRUE(keys.was_withdrawn("north"));
+}
+
 TEST(FleetKeys, AreMadeByOneAtATime) {
   const TemporaryFolder temporary;
   std::vector<std::thread> makers;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <expected>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -21,23 +22,46 @@ int refuse(const std::string& problem) {
   return kBadInput;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& one : names) out += fmt::format("{}`{}`", out.empty() ? "" : ", ", one);
+  return out.empty() ? "none" : out;
+}
+
+bool has(const keys::FleetKeys& keys, const std::string& name) {
+  return std::ranges::count(keys.names(), name) > 0 && std::ranges::count(keys.half_made(), name) == 0;
+}
+
 int show(const keys::FleetKeys& keys, const std::string& fleet, const std::string& folder) {
-  std::string names;
-  for (const std::string& one : keys.names()) names += fmt::format("{}`{}`", names.empty() ? "" : ", ", one);
   fmt::print(
       "The keys of the fleet `{0}` are in {1}\n"
       "  authority/  makes members: whoever has it has the fleet. It stays here; keep a copy in a safe "
       "place\n"
-      "  own/        this machine's identity, which --secure uses\n"
+      "  own/        {3}\n"
       "Members: {2}\n"
       "`mlab keys {0} --add NAME` makes the identity of another machine.\n",
-      fleet, folder, names);
-  return kDone;
+      fleet, folder, listed(keys.names()),
+      has(keys, keys::kOwnIdentity)
+          ? "this machine's identity, which --secure uses"
+          : fmt::format("is not there: `mlab keys {} --add {}` makes this machine's identity", fleet,
+                        keys::kOwnIdentity));
+  const std::vector<std::string> broken = keys.half_made();
+  for (const std::string& one : broken)
+    fmt::print(stderr,
+               "mlab keys: the identity `{1}` is half made, and can't be used: `mlab keys {0} --add {1}` "
+               "makes it anew\n",
+               fleet, one);
+  return broken.empty() ? kDone : kFailed;
 }
 
 int add(keys::FleetKeys& keys, const std::string& fleet, const std::string& name) {
   const auto folder = keys.add(name);
   if (!folder) return refuse(folder.error());
+  if (name == keys::kOwnIdentity) {
+    fmt::print("This machine's identity of the fleet `{}` is in {}: --secure uses it\n", fleet,
+               folder->string());
+    return kDone;
+  }
   fmt::print(
       "The identity `{0}` of the fleet `{1}` is in {2}\n"
       "Move that folder to its machine, as ~/.local/state/mlab/keys/{1}/{3}, by a way that nobody reads "
@@ -54,6 +78,9 @@ int withdraw(keys::FleetKeys& keys, const std::string& fleet, const std::string&
       "Copy that file into the identity's folder of each other machine. Agents there take it over within 5 "
       "s.\n",
       name, fleet, keys.withdrawn_file().string());
+  if (name == keys::kOwnIdentity)
+    fmt::print("This machine has no identity now: `mlab keys {} --add {}` makes another.\n", fleet,
+               keys::kOwnIdentity);
   return kDone;
 }
 
@@ -67,14 +94,13 @@ int keys(const KeysOptions& options) {
     return refuse(fmt::format("the fleet's name `{}` can't be that of a folder", fleet));
   const std::string folder = keys_folder(fleet);
   if (folder.empty()) return refuse("there is no folder for keys: neither XDG_STATE_HOME nor HOME is set");
-  const bool are_new = !keys::FleetKeys::are_there(folder);
-  if (are_new && !options.withdraw.empty())
+  if (!keys::FleetKeys::are_there(folder) && !options.withdraw.empty())
     return refuse(fmt::format("there are no keys of the fleet `{}` in {}", fleet, folder));
   auto keys = keys::FleetKeys::open(folder, fleet);
   if (!keys) return refuse(keys.error());
   if (!options.withdraw.empty()) return withdraw(*keys, fleet, options.withdraw);
-  // Only at first: an own one that was withdrawn does not come back by itself.
-  if (are_new) {
+  // An own one that was withdrawn does not come back by itself; one that could not be made at first does.
+  if (options.add.empty() && !has(*keys, keys::kOwnIdentity) && !keys->was_withdrawn(keys::kOwnIdentity)) {
     if (const auto own = keys->add(keys::kOwnIdentity); !own) return refuse(own.error());
   }
   return options.add.empty() ? show(*keys, fleet, folder) : add(*keys, fleet, options.add);
