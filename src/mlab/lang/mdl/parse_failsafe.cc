@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,22 @@ mission::FailsafeAction Parser::failsafe_action() {
   return {};
 }
 
+// `FAILSAFE OUTSIDE HOLD`: the line is missing, unless one has such a name and the action stands behind it.
+Name Parser::fence_name(const mission::FailsafeConditionInfo& condition) {
+  const bool is_reverse = at_written(kReverse) && equal_without_case(written(token(1)), kInside);
+  const bool is_action = is_reverse || std::ranges::any_of(mission::kFailsafeActions, [&](const auto& one) {
+                           return at_written(one.word);
+                         });
+  const Token& behind = token(is_reverse ? 2 : 1);
+  const bool is_last = behind.first_on_line || behind.kind == TokenKind::kEnd;
+  if (is_action && is_last && !token().first_on_line) {
+    fail("unexpected-token", token().span,
+         fmt::format("expected the name of a closed BOUNDARY between `{}` and {}", condition.word,
+                     in_backticks(written(token()))));
+  }
+  return name("the name of a closed BOUNDARY");
+}
+
 statement::Failsafe Parser::failsafe() {
   statement::Failsafe out;
   if (at_written("FOR")) {
@@ -61,7 +78,7 @@ statement::Failsafe Parser::failsafe() {
   }
   out.condition = failsafe_condition();
   const mission::FailsafeConditionInfo& condition = mission::info(out.condition);
-  if (!stuck_ && condition.has_fence) out.fence = name("the name of a closed BOUNDARY");
+  if (!stuck_ && condition.has_fence) out.fence = fence_name(condition);
   if (at_written("AFTER")) {
     if (!condition.may_last) {
       fail("clause-not-allowed", token().span,

@@ -104,6 +104,7 @@ class Parser {
   statement::Failsafe failsafe();
   mission::FailsafeCondition failsafe_condition();
   mission::FailsafeAction failsafe_action();
+  Name fence_name(const mission::FailsafeConditionInfo& condition);
   bool at_written(std::string_view word) const;
   statement::InjectTrack inject_track();
 

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/counted.h"
+#include "mlab/lang/mdl/fence_check.h"
 #include "mlab/lang/mdl/formation_check.h"
 #include "mlab/lang/mdl/goal_check.h"
 #include "mlab/lang/mdl/options.h"
@@ -43,6 +44,7 @@ class PlanCheck {
         diagnostics_(diagnostics),
         formations_(mission, diagnostics),
         goals_(mission, diagnostics),
+        fences_(mission, diagnostics),
         robots_(mission.robots.size()) {
     for (std::uint32_t i = 0; i < mission.robots.size(); ++i) index_of_[mission.robots[i].id.value] = i;
   }
@@ -213,6 +215,7 @@ class PlanCheck {
           .hints.push_back(
               fmt::format("write `START {} 0 20` for a row to the north, 20 m apart", c.place_name));
     }
+    check_fences(c);
     const overlay::Area area = mission_.overlay.mission_area();
     Met outside;
     Met inside;
@@ -240,6 +243,13 @@ class PlanCheck {
     }
   }
 
+  void check_fences(const UnitCommand& c) {
+    if (mission_.failsafes.empty()) return;
+    std::vector<const mission::Robot*> robots;
+    for (const base::RobotId id : robots_of(c)) robots.push_back(&mission_.robots[index_of_.at(id.value)]);
+    fences_.check(c, robots);
+  }
+
   static std::string starting(std::size_t robots) {
     return base::counted(robots, "robot") + (robots == 1 ? " starts" : " start");
   }
@@ -257,6 +267,7 @@ class PlanCheck {
   text::Diagnostics& diagnostics_;
   FormationCheck formations_;
   GoalCheck goals_;
+  FenceCheck fences_;
   std::vector<RobotState> robots_;
   std::unordered_map<std::uint32_t, std::uint32_t> index_of_;  // by robot's number
   std::map<std::string, const mission::Step*> labels_;
