@@ -69,6 +69,37 @@ TEST_F(EmergencyStop, HoldsARunInLockStep) {
   EXPECT_EQ(ending->words(), "exit status 0") << far.output();
 }
 
+TEST_F(EmergencyStop, IsSaidBeforeTheFirstCycleOfARunInLockStep) {
+  make_network(39);
+  const Process north = agent("north");
+  EXPECT_EQ(fleet({"--stop"}).ending, "exit status 0");
+  Process far = errand({});
+  const std::string release = "mlab fleet alpha --network " + base().address() + " --release";
+  EXPECT_TRUE(
+      far.prints("[      0.0 s] EMERGENCY STOP by base: all robots stand; `" + release + "` releases it",
+                 kFleetPatience))
+      << far.output();
+  EXPECT_FALSE(far.wait(2s)) << far.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+  const auto ending = far.wait(2 * kFleetPatience);
+  ASSERT_TRUE(ending) << far.output();
+  EXPECT_EQ(ending->words(), "exit status 0") << far.output();
+  EXPECT_EQ(report()["deliveries"].size(), 3U);
+}
+
+TEST_F(EmergencyStop, LeavesNothingOnTheDiskWhereAllHaveReleasedIt) {
+  make_network(40);
+  const Process north = agent("north");
+  const auto file = net().host("north").path(std::string(kAgentState) + "/mlab/agents/alpha@north.stop");
+  EXPECT_EQ(fleet({"--stop"}).ending, "exit status 0");
+  EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+  for (const auto end = network::Clock::now() + kFleetPatience;
+       std::filesystem::exists(file) && network::Clock::now() < end;)
+    std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST_F(EmergencyStop, OutlivesAgentsAndRuns) {
   make_network(33);
   const auto stopped_agent = [&](const std::string& host) {

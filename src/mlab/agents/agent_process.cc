@@ -23,6 +23,7 @@
 #include "mlab/agents/topics.h"
 #include "mlab/robot/remote/agent.h"
 #include "mlab/robot/wire/shared_cycle.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::agents {
 namespace {
@@ -69,6 +70,7 @@ class AgentProcess {
         say_presence();
         hear_of_stop_from_others();
         tell_whom_it_misses();
+        forget_what_all_have_released();
         next_beat = Clock::now() + kBeat;
       }
       waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
@@ -193,10 +195,23 @@ class AgentProcess {
       settings_.tell(fmt::format("the emergency stop will not outlive this agent: {}", *problem));
     say_presence();
     tell_whom_it_misses();
+    if (settings_.tell_stop) settings_.tell_stop();
     if (stop_.is_engaged)
       settings_.tell(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by));
     else if (was_stopped)
       settings_.tell(fmt::format("the emergency stop was released by {}", stop_.by));
+  }
+
+  // Who has not heard of the release holds the stop still; it is kept as long as there may be somebody.
+  void forget_what_all_have_released() {
+    if (stop_.is_engaged) return;
+    const Clock::time_point now = Clock::now();
+    const auto may_hold_it = [&](const Member& one) {
+      const auto there = decode(one.said.stop());
+      const bool is_forgotten = one.state == Member::State::kGone && now - one.heard >= kMissedFor;
+      return !one.has_left && !is_forgotten && !(there && there->is_same(stop_));
+    };
+    if (std::ranges::none_of(roster_->members(), may_hold_it)) stop_file_.remove();
   }
 
   void give_up_the_lost() {
@@ -257,7 +272,7 @@ std::string machine_name() {
 std::optional<std::string> serve_as_agent(const AgentSettings& settings, const std::stop_token& stop) {
   if (!is_agent_name(settings.name))
     return fmt::format("`{}` can't be the name of an agent: 1 to 64 letters, digits, `-`, `_` and `.`",
-                       settings.name);
+                       text::shown(settings.name));
   auto roster = Roster::join(settings.network);
   if (!roster) return roster.error();
   const auto is_taken = [&](const std::vector<Member>& members) {

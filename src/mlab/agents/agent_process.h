@@ -24,6 +24,7 @@ struct AgentSettings {
   std::string stop_file = {};
   /// Called with what a person at this machine is to know, a line each; one thread at a time.
   std::function<void(const std::string&)> tell;
+  std::function<void()> tell_stop = {};   ///< called when the emergency stop was pulled or released; as above
   std::function<void()> tell_ready = {};  ///< called once it has joined; empty: nobody wants to know
 };
 

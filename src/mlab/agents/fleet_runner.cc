@@ -27,8 +27,13 @@ bool fits(const wire::AgentPresence& agent, const std::string& version) {
 /// Agents of a fleet, each of which is given out once.
 class Recruits {
  public:
-  Recruits(std::shared_ptr<Roster> roster, std::uint64_t seed, std::string version, double period)
-      : roster_(std::move(roster)), seed_(seed), version_(std::move(version)), period_(period) {}
+  Recruits(std::shared_ptr<Roster> roster, std::uint64_t seed, std::string version, double period,
+           StartHints hints)
+      : roster_(std::move(roster)),
+        seed_(seed),
+        version_(std::move(version)),
+        period_(period),
+        hints_(std::move(hints)) {}
 
   /// Where no such agent was ever there, the first call waits a while.
   robot_remote::RemoteRunner::Newcomers find(const std::string& host, const std::vector<std::string>& lost) {
@@ -41,13 +46,13 @@ class Recruits {
     };
     if (waited_for_.insert(host).second) roster_->wait(is_wanted, Clock::now() + kJoiningPatience);
     robot_remote::RemoteRunner::Newcomers out;
-    out.why_none = host.empty()
-                       ? fmt::format("none has joined the fleet `{0}`: `mlab agent --fleet {0}` starts one",
-                                     roster_->fleet())
-                       : fmt::format(
-                             "none of the name `{1}` has joined the fleet `{0}`: there, `mlab agent "
-                             "--fleet {0} --name {1}` starts one",
-                             roster_->fleet(), text::shown(host));
+    out.why_none =
+        host.empty() ? fmt::format("none has joined the fleet `{0}`: `mlab agent --fleet {0}{1}` starts one",
+                                   roster_->fleet(), hints_.here)
+                     : fmt::format(
+                           "none of the name `{1}` has joined the fleet `{0}`: there, `mlab agent "
+                           "--fleet {0} --name {1}{2}` starts one",
+                           roster_->fleet(), text::shown(host), hints_.elsewhere);
     for (const Member& one : roster_->members()) {
       if (one.state != Member::State::kThere || is_known(one)) continue;
       if (!fits(one.said, version_)) {
@@ -84,7 +89,8 @@ class Recruits {
   std::shared_ptr<Roster> roster_;
   std::uint64_t seed_;
   std::string version_;
-  double period_;                           // [s]; 0: in lock-step
+  double period_;  // [s]; 0: in lock-step
+  StartHints hints_;
   std::map<std::string, dds::Guid> known_;  // by name: who was given out last
   std::set<std::string> waited_for_;
 };
@@ -92,8 +98,9 @@ class Recruits {
 }  // namespace
 
 std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> roster, std::uint64_t seed,
-                                                        const std::string& version, double period) {
-  auto recruits = std::make_shared<Recruits>(std::move(roster), seed, version, period);
+                                                        const std::string& version, double period,
+                                                        StartHints hints) {
+  auto recruits = std::make_shared<Recruits>(std::move(roster), seed, version, period, std::move(hints));
   auto recruit = [recruits](const std::string& host, const std::vector<std::string>& lost) {
     return recruits->find(host, lost);
   };

@@ -9,11 +9,19 @@
 
 namespace mlab::agents {
 
+/// Options that a command which starts an agent needs beside the fleet's name, each with a blank in front.
+struct StartHints {
+  std::string here = {};
+  std::string elsewhere = {};  ///< on another machine
+};
+
 /// Runs the robots of one run at the agents of a fleet: those that are there, and those that join while it
 /// runs.
 /// @param version  of this program; agents of another one are not asked
+/// @param hints    how agents are started that reach the fleet, for who has none
 /// @param period   of a cycle in real time [s]; 0: in lock-step
 std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> roster, std::uint64_t seed,
-                                                        const std::string& version, double period = 0.0);
+                                                        const std::string& version, double period = 0.0,
+                                                        StartHints hints = {});
 
 }  // namespace mlab::agents

@@ -113,4 +113,9 @@ std::optional<std::string> StopFile::write(const StopState& state) const {
   return std::nullopt;
 }
 
+void StopFile::remove() const {
+  std::error_code failure;
+  if (!path_.empty() && fs::remove(path_, failure)) sync_folder(fs::path(path_).parent_path());
+}
+
 }  // namespace mlab::agents

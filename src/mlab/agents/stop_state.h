@@ -45,6 +45,8 @@ class StopFile {
   StopState read() const;
   /// On the disk when this comes back. @errors  a sentence
   std::optional<std::string> write(const StopState& state) const;
+  /// Where there is one.
+  void remove() const;
 
  private:
   std::string path_;

@@ -56,6 +56,18 @@ TEST(StopState, APullAndItsReleaseOverrideWhatWasBefore) {
   EXPECT_NE(again.pull, pull.pull);
 }
 
+TEST(StopFile, IsRemovedWhereItIsWantedNoMore) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("mlab-stop-removed-" + std::to_string(::getpid()))).string();
+  const StopFile file(path);
+  file.remove();
+  ASSERT_EQ(file.write(pulled({}, "anna")), std::nullopt);
+  file.remove();
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_EQ(file.read().number, 0U);
+  StopFile("").remove();
+}
+
 TEST(StopState, NonsenseIsNotTaken) {
   EXPECT_FALSE(decode("\xff\xff"));
   wire::EmergencyStop message;

@@ -118,6 +118,16 @@ void StopSwitch::adopt(const StopState& state) {
   else
     state_ = state;
   since_ = Clock::now();
+  has_changed_ = true;
+}
+
+void StopSwitch::hear_agents() {
+  const std::vector<Member> agents = roster_->members();
+  const std::scoped_lock lock(mutex_);
+  for (const Member& agent : agents) {
+    const auto state = decode(agent.said.stop());
+    if (state && agent.state != Member::State::kGone) adopt(*state);
+  }
 }
 
 // What others have said, and what holds at agents. True: something else holds now.
@@ -128,14 +138,10 @@ bool StopSwitch::listen() {
     if (arrival.kind != dds::Arrival::Kind::kMessage) continue;
     if (auto state = decode(arrival.body)) heard.push_back(std::move(*state));
   }
-  for (const Member& agent : roster_->members()) {
-    if (auto state = decode(agent.said.stop()); state && agent.state != Member::State::kGone)
-      heard.push_back(std::move(*state));
-  }
+  hear_agents();
   const std::scoped_lock lock(mutex_);
-  const StopState before = state_;
   for (const StopState& state : heard) adopt(state);
-  return !before.is_same(state_);
+  return std::exchange(has_changed_, false);
 }
 
 void StopSwitch::serve(const std::stop_token& stop) {

@@ -34,6 +34,8 @@ class StopSwitch {
   void engage(const std::string& by);
   void release(const std::string& by);
   StopState state() const;
+  /// Takes over at once what holds at the agents that have been heard.
+  void hear_agents();
 
   /// An agent that has not acknowledged what holds.
   struct Unreached {
@@ -73,6 +75,7 @@ class StopSwitch {
   StopState state_;
   std::uint64_t own_pull_ = 0;  // the last that was pulled here; 0: none
   Clock::time_point since_;
+  bool has_changed_ = false;  // since it was looked at
   std::mutex telling_;
   std::function<void()> changed_;  // under telling_
   std::jthread thread_;

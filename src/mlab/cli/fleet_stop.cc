@@ -1,5 +1,6 @@
 #include "mlab/cli/fleet_stop.h"
 
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -7,16 +8,26 @@
 
 #include "mlab/agents/agent_process.h"
 #include "mlab/agents/stop_switch.h"
+#include "mlab/cli/interrupt.h"
 
 namespace mlab::cli {
 namespace {
 
 class FleetStopLine final : public run::StopLine {
  public:
-  explicit FleetStopLine(std::unique_ptr<agents::StopSwitch> all) : all_(std::move(all)) {}
+  FleetStopLine(std::shared_ptr<agents::Roster> roster, std::unique_ptr<agents::StopSwitch> all)
+      : roster_(std::move(roster)), all_(std::move(all)) {}
   State state() const override {
     agents::StopState state = all_->state();
     return {state.is_engaged, std::move(state.by)};
+  }
+  void hear() override { all_->hear_agents(); }
+  void settle() override {
+    const auto is_heard = [](const std::vector<agents::Member>& agents) {
+      return was_interrupted() || !agents.empty();
+    };
+    roster_->wait(is_heard, agents::Clock::now() + kFirstHeard);
+    hear();
   }
   void engage() override { all_->engage(stopping_person()); }
   void release() override { all_->release(stopping_person()); }
@@ -29,6 +40,10 @@ class FleetStopLine final : public run::StopLine {
   void tell(std::function<void()> changed) override { all_->tell(std::move(changed)); }
 
  private:
+  // START waits for an agent in any case, and longer.
+  static constexpr std::chrono::milliseconds kFirstHeard{1500};
+
+  std::shared_ptr<agents::Roster> roster_;
   std::unique_ptr<agents::StopSwitch> all_;
 };
 
@@ -52,9 +67,9 @@ std::string stopping_person() {
 
 std::expected<std::shared_ptr<run::StopLine>, std::string> fleet_stop_line(
     std::shared_ptr<agents::Roster> roster, std::string by) {
-  auto all = agents::StopSwitch::open(std::move(roster), std::move(by));
+  auto all = agents::StopSwitch::open(roster, std::move(by));
   if (!all) return std::unexpected(all.error());
-  return std::make_shared<FleetStopLine>(std::move(*all));
+  return std::make_shared<FleetStopLine>(std::move(roster), std::move(*all));
 }
 
 }  // namespace mlab::cli

@@ -20,6 +20,7 @@
 #include "mlab/cli/agent_options.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/commands/export.h"
+#include "mlab/cli/fleet_words.h"
 #include "mlab/cli/option_groups.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/shell_words.h"
@@ -49,6 +50,7 @@ void add_robots(CLI::App* c, RunOptions& o) {
       ->type_name("embedded|process|fleet");
   c->add_option("--fleet", o.network.fleet, "the fleet of --robots fleet")
       ->default_str("default")
+      ->check(refuse_unless_name)
       ->type_name("NAME");
   c->add_flag("--real-time", o.real_time,
               "robots of --robots fleet are not waited for: they act at their own rate on what reaches them, "
@@ -302,7 +304,10 @@ void add_bench(CLI::App& app, BenchOptions& o) {
 void add_fleet(CLI::App& app, FleetOptions& o) {
   CLI::App* c = app.add_subcommand(
       "fleet", "Who is in a fleet: machines, robots, versions; live on a terminal. Its emergency stop.");
-  c->add_option("fleet", o.network.fleet, "the fleet")->default_str("default")->type_name("NAME");
+  c->add_option("fleet", o.network.fleet, "the fleet")
+      ->default_str("default")
+      ->check(refuse_unless_name)
+      ->type_name("NAME");
   add_network(c, o.network);
   c->add_flag("--once", o.once, "say it once, and end");
   c->add_flag("--json", o.json, "say it once, as JSON");
@@ -316,7 +321,10 @@ void add_keys(CLI::App& app, KeysOptions& o) {
                                    "Make the keys of a secured fleet where there are none, and say where "
                                    "they are. Members take part with\n"
                                    "--secure (docs/robots_of_their_own.md).");
-  c->add_option("fleet", o.fleet, "the fleet")->default_str("default")->type_name("NAME");
+  c->add_option("fleet", o.fleet, "the fleet")
+      ->default_str("default")
+      ->check(refuse_unless_name)
+      ->type_name("NAME");
   auto* const added =
       c->add_option("--add", o.add,
                     "make the identity of another machine, to be brought there; own: this one's")

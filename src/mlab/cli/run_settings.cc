@@ -12,6 +12,7 @@
 #include "mlab/cli/files.h"
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/fleet_stop.h"
+#include "mlab/cli/fleet_words.h"
 #include "mlab/cli/version.h"
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/text/shown.h"
@@ -87,9 +88,10 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
   auto stop_line = fleet_stop_line(*roster, name_of_run(options));
   if (!stop_line) return stop_line.error();
   out.settings.stop_line = std::move(*stop_line);
-  out.settings.robots_elsewhere = [roster = *roster, is_live = options.real_time](std::uint64_t seed,
-                                                                                  double cycle_duration) {
-    return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0);
+  const agents::StartHints hints{fleet_options(network), fleet_options_elsewhere(network)};
+  out.settings.robots_elsewhere = [roster = *roster, hints, is_live = options.real_time](
+                                      std::uint64_t seed, double cycle_duration) {
+    return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0, hints);
   };
   return std::nullopt;
 }

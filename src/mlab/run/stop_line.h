@@ -21,6 +21,10 @@ class StopLine {
   virtual ~StopLine() = default;
 
   virtual State state() const = 0;
+  /// Takes over what is known by now of other machines, without waiting until they are listened to again.
+  virtual void hear() {}
+  /// Before a run begins: waits, not for long, until it is known from some machine what holds.
+  virtual void settle() {}
   /// Both come back at once, and hold from then on.
   virtual void engage() = 0;
   virtual void release() = 0;

@@ -50,19 +50,23 @@ class LastSeen {
     MissionClock then = wall_clock();
     const double gap = then.epoch_seconds - static_cast<double>(last);
     then.epoch_seconds = static_cast<double>(last);
-    say(fmt::format(
-        "did not end in order: it was there last at {}{}. Runs of then have lost their robots here",
-        print(then), gap > 0.0 ? fmt::format(", {:.0f} s ago", gap) : ""));
+    say(
+        fmt::format("did not end in order: it was there last at about {}{} (noted every {:.0f} s). Runs of "
+                    "then have lost "
+                    "their robots here",
+                    print(then), gap > 0.0 ? fmt::format(", {:.0f} s ago", gap) : "", kApart));
   }
   void note() {
     const double now = steady_seconds();
-    if (file_.empty() || now < next_) return;
+    if (file_.empty() || (now < next_ && !is_wanted_.exchange(false))) return;
     next_ = now + kApart;
     std::error_code failure;
     std::filesystem::create_directories(std::filesystem::path(file_).parent_path(), failure);
     // Where that can't be written the agent does all the rest.
     static_cast<void>(write_file(file_, fmt::format("{:.0f}\n", wall_clock().epoch_seconds)));
   }
+  /// At the next `note`, from any thread.
+  void want_note() { is_wanted_ = true; }
   void end() const {
     std::error_code failure;
     if (!file_.empty()) std::filesystem::remove(file_, failure);
@@ -72,6 +76,7 @@ class LastSeen {
   static constexpr double kApart = 10.0;  // [s]
   std::string file_;
   double next_ = 0.0;
+  std::atomic<bool> is_wanted_ = false;
 };
 
 // How others reach it, and who they may be.
@@ -139,6 +144,7 @@ int agent(const AgentOptions& options) {
   note_interrupts();
   LastSeen last_seen(kept_file(fleet_of(options.network.fleet), settings.name, "seen"));
   keys::WithdrawalWatch withdrawals(identity_folder(options.network));
+  settings.tell_stop = [&] { last_seen.want_note(); };
   for (bool is_first = true; !was_interrupted(); is_first = false) {
     if (!is_first) say("somebody was withdrawn from the fleet: joins it anew");
     const auto network = network_of(options.network);

@@ -19,6 +19,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/fleet_stop.h"
+#include "mlab/cli/fleet_words.h"
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/terminal.h"
@@ -76,9 +77,10 @@ std::string clock_of(const std::optional<agents::LinkQuality>& link) {
 }
 
 std::string table_of(const std::string& fleet, const std::vector<Member>& members,
-                     const agents::EchoProbe& links) {
+                     const agents::EchoProbe& links, const NetworkOptions& network) {
   if (members.empty())
-    return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}` starts an agent\n", fleet);
+    return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}{1}` starts an agent\n", fleet,
+                       fleet_options(network));
   std::string out = fmt::format("{:<16} {:<16} {:<18} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n",
                                 "AGENT", "MACHINE", "STATE", "ROUND TRIP", "CLOCK", "ROBOTS", "RUNS", "LOAD",
                                 "FREE MEMORY", "UP", "VERSION");
@@ -226,8 +228,8 @@ int show_fleet(const FleetOptions& options) {
     if (!view) return tell_problem(view.error());
     const std::vector<Member> members = view->roster->members();
     const std::string& fleet = view->roster->fleet();
-    const std::string text =
-        options.json ? json_of(fleet, members, *view->links) : table_of(fleet, members, *view->links);
+    const std::string text = options.json ? json_of(fleet, members, *view->links)
+                                          : table_of(fleet, members, *view->links, options.network);
     const bool is_read = write_output_now(is_live ? "\x1b[H\x1b[2J" + text : text);
     if (!is_live || !is_read || was_interrupted()) return kDone;
     view->links->measure(kBetweenLooks);

@@ -16,6 +16,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/fleet_stop.h"
+#include "mlab/cli/fleet_words.h"
 #include "mlab/cli/input.h"
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/other_language.h"
@@ -103,11 +104,12 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
 /// Follows the emergency stop that the run shares with its fleet.
 class SharedStop {
  public:
-  SharedStop(run::MissionRun& run, RunScreen& screen, const run::StopLine* line)
-      : run_(run), screen_(screen), line_(line) {}
+  SharedStop(run::MissionRun& run, RunScreen& screen, run::StopLine* line, const NetworkOptions& network)
+      : run_(run), screen_(screen), line_(line), network_(network) {}
 
   void follow() {
     if (line_ == nullptr) return;
+    line_->hear();
     const run::StopLine::State state = line_->state();
     if (state.is_engaged != run_.is_stopped()) change(state);
     if (state.is_engaged && steady_seconds() - since_ > kConfirming) tell_unreached();
@@ -120,9 +122,8 @@ class SharedStop {
     run_.set_emergency_stop(state.is_engaged);
     since_ = steady_seconds();
     told_.clear();
-    say(state.is_engaged ? fmt::format("EMERGENCY STOP by {}: all robots stand; `mlab fleet` with --release "
-                                       "releases it",
-                                       state.by)
+    say(state.is_engaged ? fmt::format("EMERGENCY STOP by {}: all robots stand; `{}` releases it", state.by,
+                                       release_command(network_))
                          : fmt::format("the emergency stop was released by {}", state.by));
   }
   void tell_unreached() {
@@ -144,7 +145,8 @@ class SharedStop {
 
   run::MissionRun& run_;
   RunScreen& screen_;
-  const run::StopLine* line_;
+  run::StopLine* line_;
+  const NetworkOptions& network_;
   double since_ = 0.0;
   std::vector<std::string> told_;
 };
@@ -154,7 +156,8 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
                       TerminalOperator& person, Plot& plot) {
   run::MissionRun& run = *prepared.run;
   const double began = steady_seconds();
-  SharedStop stop(run, screen, prepared.stop_line.get());
+  SharedStop stop(run, screen, prepared.stop_line.get(), options.network);
+  if (prepared.stop_line) prepared.stop_line->settle();
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
   run.post(mission::event::Execute{});
   while (!was_interrupted()) {

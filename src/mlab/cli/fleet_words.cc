@@ -1,0 +1,67 @@
+#include "mlab/cli/fleet_words.h"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/core.h>
+
+#include "mlab/agents/roster.h"
+#include "mlab/cli/fleet_network.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::cli {
+namespace {
+
+std::string word_of_shell(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-_./:@%+,").contains(c);
+  };
+  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+bool is_address(const std::string& text) {
+  in_addr address{};
+  return ::inet_pton(AF_INET, text.c_str(), &address) == 1;
+}
+
+std::string peers_of(const NetworkOptions& options) {
+  std::string out;
+  for (const std::string& peer : options.peers) out += " --peer " + word_of_shell(peer);
+  return out;
+}
+
+}  // namespace
+
+std::string fleet_options(const NetworkOptions& options) {
+  std::string out;
+  if (!options.interface_name.empty()) out += " --network " + word_of_shell(options.interface_name);
+  out += peers_of(options);
+  if (options.is_secure) out += " --secure";
+  if (options.is_secure && !options.identity.empty()) out += " " + word_of_shell(options.identity);
+  return out;
+}
+
+std::string fleet_options_elsewhere(const NetworkOptions& options) {
+  std::string out;
+  if (!options.interface_name.empty())
+    out += " --network " +
+           (is_address(options.interface_name) ? "ADDRESS" : word_of_shell(options.interface_name));
+  return out + peers_of(options) + (options.is_secure ? " --secure" : "");
+}
+
+std::string release_command(const NetworkOptions& options) {
+  return fmt::format("mlab fleet {}{} --release", fleet_of(options.fleet), fleet_options(options));
+}
+
+std::string refuse_unless_name(const std::string& text) {
+  if (agents::is_agent_name(text)) return "";
+  return fmt::format("`{}` can't be a name here: expected 1 to 64 letters, digits, `-`, `_` and `.`",
+                     text::shown(text));
+}
+
+}  // namespace mlab::cli

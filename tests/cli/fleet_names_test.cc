@@ -1,0 +1,43 @@
+// Names of fleets and agents, and the hints that are given where nobody is there.
+
+#include <string>
+
+#include "command.h"
+
+namespace mlab {
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(Command, FleetsAndAgentsHaveNames) {
+  for (const std::string command :
+       {"fleet \"\" --once", "keys \"\"", "agent --fleet \"\"", "agent --name \"\"",
+        "run x.mdl --headless --robots fleet --fleet \"\""}) {
+    const Outcome o = mlab(command, "timeout 30");
+    EXPECT_EQ(o.status, 2) << command << o.out;
+    EXPECT_TRUE(has(o.err, "`` can't be a name here: expected 1 to 64 letters, digits, `-`, `_` and `.`"))
+        << command << ": " << o.err;
+  }
+}
+
+TEST_F(Command, NamesThatCanNotBeAreShownOnOneLine) {
+  for (const std::string command : {"fleet $'a\\nb\\x1b[2J' --once", "keys $'a\\nb\\x1b[2J'",
+                                    "agent --fleet $'a\\nb\\x1b[2J'", "agent --name $'a\\nb\\x1b[2J'"}) {
+    write("try.sh", "exec '" MLAB_COMMAND "' " + command);
+    const Outcome o = mlab("--version > /dev/null; timeout 30 bash try.sh");
+    EXPECT_EQ(o.status, 2) << command << o.out;
+    EXPECT_TRUE(has(o.err, "`a\\x0ab\\x1b[2J` can't be a name here")) << command << ": " << o.err;
+    EXPECT_FALSE(has(o.err, "\x1b")) << command;
+  }
+}
+
+TEST_F(Command, HintsCanBePasted) {
+  const Outcome o =
+      mlab("fleet nobody-" + std::to_string(::getpid()) + " --once --network 127.0.0.1", "timeout 60");
+  EXPECT_TRUE(has(o.out, " --network 127.0.0.1` starts an agent")) << o.out << o.err;
+}
+
+}  // namespace
+}  // namespace mlab
