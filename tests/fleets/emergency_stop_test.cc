@@ -91,7 +91,10 @@ TEST_F(EmergencyStop, LeavesNothingOnTheDiskWhereAllHaveReleasedIt) {
   make_network(40);
   const Process north = agent("north");
   const auto file = net().host("north").path(std::string(kAgentState) + "/mlab/agents/alpha@north.stop");
+  const auto seen = net().host("north").path(std::string(kAgentState) + "/mlab/agents/alpha@north.seen");
+  const auto began = std::filesystem::last_write_time(seen);
   EXPECT_EQ(fleet({"--stop"}).ending, "exit status 0");
+  EXPECT_NE(std::filesystem::last_write_time(seen), began) << "when it was stopped it was there";
   EXPECT_TRUE(std::filesystem::exists(file));
   EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
   for (const auto end = network::Clock::now() + kFleetPatience;

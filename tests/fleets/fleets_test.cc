@@ -143,8 +143,9 @@ TEST_F(Fleets, WithoutAnAgentTheMissionSaysWhatIsMissing) {
   const auto ending = far.wait(kFleetPatience);
   ASSERT_TRUE(ending);
   EXPECT_EQ(ending->words(), "exit status 1");
-  EXPECT_NE(far.output().find(
-                "has no agent: none has joined the fleet `alpha`: `mlab agent --fleet alpha` starts one"),
+  EXPECT_NE(far.output().find("has no agent: none has joined the fleet `alpha`: `mlab agent --fleet alpha "
+                              "--network " +
+                              base().address() + "` starts one"),
             std::string::npos)
       << far.output();
 }

@@ -139,6 +139,21 @@ TEST_F(SecuredFleet, RefusesAMemberThatWasWithdrawn) {
   EXPECT_TRUE(told.errors.contains("was withdrawn: it takes part no more")) << told.errors;
 }
 
+TEST_F(SecuredFleet, TellsARunThatSomebodyWasWithdrawn) {
+  ASSERT_NO_FATAL_FAILURE(make_members(47));
+  const Process south = secured_agent("south");
+  Process far =
+      run(base::source_folder() + "/tests/fleets/errand/errand.mdl", {"--secure", kOwn, "--speed", "real"});
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience)) << far.output() << far.errors();
+  EXPECT_FALSE(far.output().contains("withdrawn"));
+  ASSERT_EQ(mlab(base(), {"keys", "alpha", "--withdraw", "south"}).ending, "exit status 0");
+  EXPECT_TRUE(
+      far.prints("somebody was withdrawn from the fleet `alpha`, and this run still trusts whom it trusted "
+                 "when it began: its agents are `south`",
+                 kFleetPatience))
+      << far.output();
+}
+
 TEST_F(SecuredFleet, HasNoHalfMadeIdentityAfterAFullDisk) {
   make_network(45);
   for (const std::size_t pages : {3U, 5U, 7U, 8U, 9U, 10U, 12U, 20U}) {

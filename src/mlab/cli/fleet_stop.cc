@@ -9,14 +9,16 @@
 #include "mlab/agents/agent_process.h"
 #include "mlab/agents/stop_switch.h"
 #include "mlab/cli/interrupt.h"
+#include "mlab/keys/identity.h"
 
 namespace mlab::cli {
 namespace {
 
 class FleetStopLine final : public run::StopLine {
  public:
-  FleetStopLine(std::shared_ptr<agents::Roster> roster, std::unique_ptr<agents::StopSwitch> all)
-      : roster_(std::move(roster)), all_(std::move(all)) {}
+  FleetStopLine(std::shared_ptr<agents::Roster> roster, std::unique_ptr<agents::StopSwitch> all,
+                const std::string& identity)
+      : roster_(std::move(roster)), all_(std::move(all)), withdrawals_(identity) {}
   State state() const override {
     agents::StopState state = all_->state();
     return {state.is_engaged, std::move(state.by)};
@@ -37,14 +39,39 @@ class FleetStopLine final : public run::StopLine {
       out.push_back({std::move(one.name), std::move(one.by), one.silent});
     return out;
   }
+  std::vector<std::string> take_alerts() override {
+    const agents::Clock::time_point now = agents::Clock::now();
+    if (now < next_look_) return {};
+    next_look_ = now + kBetweenLooks;
+    if (!withdrawals_.has_changed()) return {};
+    return {
+        fmt::format("somebody was withdrawn from the fleet `{}`, and this run still trusts whom it trusted "
+                    "when it began{}. Who "
+                    "was withdrawn keeps the robots that it carries for it: end the run, and start it again",
+                    roster_->fleet(), agents_of_run())};
+  }
   void tell(std::function<void()> changed) override { all_->tell(std::move(changed)); }
 
  private:
   // START waits for an agent in any case, and longer.
   static constexpr std::chrono::milliseconds kFirstHeard{1500};
 
+  static constexpr std::chrono::seconds kBetweenLooks{1};
+
+  // Certificates on the list have no names.
+  std::string agents_of_run() const {
+    std::string out;
+    for (const agents::Member& one : roster_->members()) {
+      if (one.is_held)
+        out += fmt::format("{}`{}`", out.empty() ? ": its agents are " : ", ", one.said.name());
+    }
+    return out;
+  }
+
   std::shared_ptr<agents::Roster> roster_;
   std::unique_ptr<agents::StopSwitch> all_;
+  keys::WithdrawalWatch withdrawals_;
+  agents::Clock::time_point next_look_;
 };
 
 }  // namespace
@@ -66,10 +93,10 @@ std::string stopping_person() {
 }
 
 std::expected<std::shared_ptr<run::StopLine>, std::string> fleet_stop_line(
-    std::shared_ptr<agents::Roster> roster, std::string by) {
+    std::shared_ptr<agents::Roster> roster, std::string by, const std::string& identity) {
   auto all = agents::StopSwitch::open(roster, std::move(by));
   if (!all) return std::unexpected(all.error());
-  return std::make_shared<FleetStopLine>(std::move(roster), std::move(*all));
+  return std::make_shared<FleetStopLine>(std::move(roster), std::move(*all), identity);
 }
 
 }  // namespace mlab::cli

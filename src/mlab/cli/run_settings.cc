@@ -85,7 +85,7 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
   if (!reached) return reached.error();
   const auto roster = agents::Roster::join(*reached);
   if (!roster) return roster.error();
-  auto stop_line = fleet_stop_line(*roster, name_of_run(options));
+  auto stop_line = fleet_stop_line(*roster, name_of_run(options), identity_folder(network));
   if (!stop_line) return stop_line.error();
   out.settings.stop_line = std::move(*stop_line);
   const agents::StartHints hints{fleet_options(network), fleet_options_elsewhere(network)};

@@ -245,6 +245,10 @@ class SharedStop final : public run::StopLine {
   std::vector<Unreached> unreached() const override {
     return {{.name = "south"}, {.name = "west", .by = "agent north", .silent = 7.0}};
   }
+  std::vector<std::string> take_alerts() override {
+    return std::exchange(has_alert_, false) ? std::vector<std::string>{"somebody was withdrawn"}
+                                            : std::vector<std::string>{};
+  }
   void tell(std::function<void()> changed) override {
     const std::scoped_lock lock(mutex_);
     changed_ = std::move(changed);
@@ -259,6 +263,7 @@ class SharedStop final : public run::StopLine {
   mutable std::mutex mutex_;
   State state_;
   std::function<void()> changed_;
+  bool has_alert_ = true;
 };
 
 TEST(Session, AnEmergencyStopThatOthersShareIsFollowedAndSaid) {
@@ -273,6 +278,11 @@ TEST(Session, AnEmergencyStopThatOthersShareIsFollowedAndSaid) {
   ASSERT_EQ(anna.status().stop().unreached_size(), 2);
   EXPECT_EQ(anna.status().stop().unreached(0), "south");
   EXPECT_EQ(anna.status().stop().unreached(1), "west (known by agent north)");
+  EXPECT_TRUE(anna.wait([&] {
+    return std::ranges::any_of(anna.log(), [](const Log::Entry& entry) {
+      return entry.is_alert() && entry.text() == "somebody was withdrawn";
+    });
+  }));
   line->change({false, "the other console"});
   ASSERT_TRUE(wait_for(anna, Status::PAUSED)) << "it does not go on by itself";
   session->emergency_stop();

@@ -35,6 +35,9 @@ class StopLine {
     double silent = 0.0;  ///< since it was heard last [s]
   };
   virtual std::vector<Unreached> unreached() const = 0;
+  /// What a person at the run has to know at once beside that, sentences that are told once. One thread at a
+  /// time; may be asked in each cycle.
+  virtual std::vector<std::string> take_alerts() { return {}; }
   /// Called whenever something of this may have changed, on a thread of the line's; it must not wait. Whoever
   /// was called before isn't any more when this comes back.
   virtual void tell(std::function<void()> changed) = 0;

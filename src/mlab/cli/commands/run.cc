@@ -110,6 +110,7 @@ class SharedStop {
   void follow() {
     if (line_ == nullptr) return;
     line_->hear();
+    for (const std::string& alert : line_->take_alerts()) say(colored("alert: ", Color::kBad) + alert);
     const run::StopLine::State state = line_->state();
     if (state.is_engaged != run_.is_stopped()) change(state);
     if (state.is_engaged && steady_seconds() - since_ > kConfirming) tell_unreached();

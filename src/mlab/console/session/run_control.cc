@@ -242,6 +242,10 @@ void RunControl::look_at_machines() {
     looked_at_machines_ = wall;
   else
     return;
+  if (stop_line_) {
+    for (std::string& alert : stop_line_->take_alerts())
+      log_.add(sim_time(), {Log::WARNING, std::move(alert), 0, "", {}, true});
+  }
   std::vector<robot::SilentMachine> silent;
   if (live_) silent = live_->run().fleet().silent_machines();
   if (!silent.empty() || !silent_machines_.empty()) ++state_revision_;
