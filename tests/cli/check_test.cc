@@ -36,7 +36,7 @@ TEST_F(Command, CheckTellsANoteAndChangesNoExitStatusForIt) {
 }
 
 TEST_F(Command, CheckPrintsTheFailsafesThatAreInForce) {
-  write("map.odl", std::string(kMap) + "BOUNDARY Field 0 0 99 0 99 99 0 99\n");
+  write("map.odl", std::string(kMap) + "BOUNDARY Field 0 0 900 0 900 900 0 900\n");
   const std::string rest = "UNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Here\n1. UNIT u MOVETO There\n";
   write("mission.mdl",
         "OVERLAY map.odl\nFAILSAFE OUTSIDE Field REVERSE INSIDE\nFAILSAFE FOR ROBOT LINK-LOST AFTER 5 "

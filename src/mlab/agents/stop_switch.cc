@@ -147,24 +147,25 @@ bool StopSwitch::listen() {
 void StopSwitch::serve(const std::stop_token& stop) {
   Clock::time_point next_repeat;
   Clock::time_point next_telling;
-  std::size_t missing_before = 0;
+  std::vector<std::string> missing_before;
   while (!stop.stop_requested()) {
     const bool has_changed = listen();
     if (teller_ && (has_changed || Clock::now() >= next_telling)) {
       teller_->say(missed_among(roster_->members(), state(), Clock::now()));
       next_telling = Clock::now() + kTellMissed;
     }
-    const std::size_t missing = unreached().size();
+    std::vector<std::string> missing;
+    for (Unreached& one : unreached()) missing.push_back(std::move(one.name));
     if (has_changed || missing != missing_before) {
       const std::scoped_lock lock(telling_);
       if (changed_) changed_();
     }
-    missing_before = missing;
     const bool is_urgent = is_fresh();
-    if (is_urgent || (missing > 0 && Clock::now() >= next_repeat)) {
+    if (is_urgent || (!missing.empty() && Clock::now() >= next_repeat)) {
       say();
       next_repeat = Clock::now() + kRepeat;
     }
+    missing_before = std::move(missing);
     waiter_.wait(is_urgent ? kUrgent : kRepeat);
   }
 }

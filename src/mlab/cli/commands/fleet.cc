@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -165,8 +166,8 @@ int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> ros
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   const std::string& fleet = all->fleet();
-  const std::size_t count = (*stop)->agent_count();
   const auto unreached = (*stop)->unreached();
+  const std::size_t count = std::max((*stop)->agent_count(), unreached.size());  // which others may add to
   if (count == 0) {
     fmt::print(stderr, "mlab fleet: nobody is there in the fleet `{}`\n", fleet);
     return kFailed;
