@@ -92,6 +92,7 @@ TEST_F(EmergencyStop, LeavesNothingOnTheDiskWhereAllHaveReleasedIt) {
   const Process north = agent("north");
   const auto file = net().host("north").path(std::string(kAgentState) + "/mlab/agents/alpha@north.stop");
   const auto seen = net().host("north").path(std::string(kAgentState) + "/mlab/agents/alpha@north.seen");
+  while (!std::filesystem::exists(seen)) std::this_thread::sleep_for(20ms);  // just after it is ready
   const auto began = std::filesystem::last_write_time(seen);
   EXPECT_EQ(fleet({"--stop"}).ending, "exit status 0");
   EXPECT_NE(std::filesystem::last_write_time(seen), began) << "when it was stopped it was there";

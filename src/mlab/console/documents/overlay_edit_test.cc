@@ -287,7 +287,7 @@ TEST(OverlayEdit, RenamesTheReferencesOfTheMissionToo) {
       "from aa-home\n 1. UNIT u "
       "MOVETO "
       "CHARLIE PHASE-LINE \"Red\" ACK \"Red\"\n 2. UNIT u MOVETO PP-Charlie\n",
-      {{"o.odl", kHeader + "AA Home 1 2\nPP Charlie* 3 4\nPL Red 1 1 2 2\nBOUNDARY Fence 0 0 9 0 9 9\n"}});
+      {{"o.odl", kHeader + "AA Home 1 2\nPP Charlie* 3 4\nPL Red 1 1 2 2\nBOUNDARY Fence 0 0 0 9 9 9\n"}});
   EXPECT_EQ(texts.said(), "");
   Measure fence = texts.scene().measures(3);
   fence.set_name("Limit");
@@ -299,7 +299,7 @@ TEST(OverlayEdit, RenamesTheReferencesOfTheMissionToo) {
   red.set_name("PL7");
   ASSERT_EQ(texts.change({replace(0, home), replace(1, charlie), replace(2, red), replace(3, fence)}), "");
   EXPECT_EQ(texts.overlay(),
-            kHeader + "AA \"new home\" 1 2\nPP Column* 3 4\nPL PL7 1 1 2 2\nBOUNDARY Limit 0 0 9 0 9 9\n");
+            kHeader + "AA \"new home\" 1 2\nPP Column* 3 4\nPL PL7 1 1 2 2\nBOUNDARY Limit 0 0 0 9 9 9\n");
   EXPECT_EQ(texts.mission(),
             "OVERLAY o.odl\nFAILSAFE OUTSIDE Limit HOLD\nUNIT <u> ROBOT\nCOMMAND LIST:\n 0. UNIT u START "
             "\"AA-new home\" -- from "
