@@ -123,7 +123,7 @@ class Fleet {
         settings.network = network_;
         settings.name = fmt::format("a{}", i);
         settings.sources = sources();
-        settings.tell = [](const std::string& /*line*/) {};
+        settings.log = std::make_shared<agents::AgentLog>(nullptr);
         if (const auto problem = agents::serve_as_agent(settings, stop)) give_up(*problem);
       });
     const auto are_there = [&](const std::vector<agents::Member>& members) {

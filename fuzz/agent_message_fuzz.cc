@@ -196,7 +196,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const std::vector<std::string> pieces = pieces_of({reinterpret_cast<const char*>(data), size});
   robot::ProgramSources sources;
   sources.version = kVersion;
-  robot_remote::RunnerServer server(sources);
+  robot_remote::RunnerServer server({.sources = sources});
   for (const std::string& piece : pieces) {
     wire::FromAgent answer;
     server.hear({"1", piece, robot_remote::Clock::now()});

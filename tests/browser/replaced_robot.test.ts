@@ -31,6 +31,9 @@ test("robots of a machine that is lost are replaced, and go on under their order
   await selection.getByText("south", { exact: true }).waitFor();
   await expect.poll(() => replace.count()).toBe(0);
   await selection.getByText(/OCCUPY AA-AA1/).waitFor();
+  await selection.getByRole("button", { name: "Read messages" }).click();
+  await selection.getByText(/a run has begun to talk to this agent/).waitFor();
+  await selection.getByText("It has written nothing to standard error.").waitFor();
 
   // The rest of them at once.
   await page.getByRole("application").first().focus();

@@ -17,6 +17,7 @@
 #include "mlab/cell/testing/permission.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/executable/executable.h"
+#include "mlab/robot/host/hosted_program.h"
 #include "mlab/robot/program/network_file.h"
 #include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
@@ -341,6 +342,42 @@ TEST_F(RobotProgramsTest, ThatTalkNonsenseLeaveTheirRobotsStanding) {
       told[0],
       "robot 1 stands: its program `./raves` writes something to its standard output that is no message of "
       "the robot protocol");
+}
+
+TEST_F(RobotProgramsTest, OneThatWasBuiltAnewMeanwhileIsNotRunInItsPlace) {
+  robot::ProgramSources sources{cell::testing::all_permitted(), shared_folder.string(),
+                                base::source_folder() + "/src", "test"};
+  const auto program = robot::load_program("./walker", {}, {}, sources, {}, sink_);
+  ASSERT_TRUE(program && program->hosted) << text::render(sink_);
+  ASSERT_TRUE(program->executable);
+  EXPECT_EQ(program->executable->name, "walker");
+  EXPECT_TRUE(robot_host::start_hosted(*program->hosted, nullptr));
+  robot_host::HostedProgram other = *program->hosted;
+  other.source ^= 1U;
+  const auto started = robot_host::start_hosted(other, nullptr);
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error(),
+            "was built anew meanwhile: it is another program than the one that was begun with");
+}
+
+TEST_F(RobotProgramsTest, OneThatIsClosedOrWithoutAnAgentTellsWhoWantsItInAFleet) {
+  const auto said = [](const std::string& line) {
+    const fs::path file = shared_folder / "said";
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread calls it
+    const int status = std::system((line + " 2> " + file.string()).c_str());
+    std::ifstream stream(file);
+    return std::to_string(WEXITSTATUS(status)) + " " +
+           std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  const std::string folder = shared_folder.string();
+  EXPECT_EQ(said(folder + "/closed --fleet alpha --name f1"),
+            "2 walker: is closed (mlab build --closed), and a run has to see how a member is made\n");
+  EXPECT_EQ(
+      said("MLAB_AGENT=/nowhere/mlab-agent " + folder + "/walker --fleet alpha"),
+      "2 walker: --fleet needs mlab-agent, of the package missionlab-agent, which is not there: MLAB_AGENT "
+      "says where it is\n");
+  EXPECT_EQ(said(folder + "/walker --name f1"),
+            "2 walker: takes no arguments but --help, --version, and those of --fleet\n");
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ class DirectLink final : public robot_remote::Link {
     bool has_ended_ = false;
   };
   void serve(const robot::ProgramSources& sources) {
-    robot_remote::RunnerServer server(sources);
+    robot_remote::RunnerServer server({.sources = sources});
     while (!asked_.has_ended()) {
       if (const auto message = asked_.pop(robot_remote::Clock::now() + std::chrono::seconds(1))) {
         std::string answer(server.answer(*message));

@@ -14,6 +14,7 @@
 
 #include "mlab/agents/agent_process.h"
 #include "mlab/agents/fleet_runner.h"
+#include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 
 namespace mlab::testing {
@@ -62,8 +63,10 @@ class FleetOfThreads {
       agents::AgentSettings settings;
       settings.network = network;
       settings.name = name;
-      settings.sources = {.permission = cell::testing::code_permitted(), .version = kVersion};
-      settings.tell = [](const std::string& /*line*/) {};
+      settings.sources = {.permission = cell::testing::code_permitted(),
+                          .include_root = base::source_folder() + "/src",
+                          .version = kVersion};
+      settings.log = std::make_shared<agents::AgentLog>(nullptr);
       settings.tell_ready = [&] { ready->set_value(); };
       EXPECT_EQ(agents::serve_as_agent(settings, stop), std::nullopt);
     });

@@ -433,6 +433,33 @@ TEST(RobotsAtAgents, GoWhereTheirProgramSays) {
   EXPECT_EQ(lost.start(), "has no agent: nobody of that name is there");
 }
 
+TEST(RobotsAtAgents, LetWhoAsksReadWhatWasSaidThere) {
+  const std::string folder = ::testing::TempDir() + "mlab_runner_test_" + std::to_string(::getpid());
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/talker.cnl")
+      << "procedure Vector Talk with\nheader\nbody\n  std::fprintf(stderr, \"at %.1f s\\n\", time);\n"
+         "  output = polar(1.0, 0.0);\npend\n"
+         "node talk is Talk with nend\n"
+         "node wheels is Drive with v = talk; base_velocity = 1; max_velocity = 5; nend\n";
+  text::Diagnostics sink;
+  robot::ProgramSources sources{.permission = cell::testing::code_permitted(),
+                                .folder = folder,
+                                .include_root = base::source_folder() + "/src"};
+  const auto program = robot::load_program("talker.cnl", {}, {}, sources, {}, sink);
+  ASSERT_TRUE(program) << text::render(sink);
+  const auto runner = FleetOfThreads::shared().make_runner(kSeed);
+  Traveller robot(*runner, 1, *program);
+  ASSERT_EQ(robot.start(), std::nullopt);
+  cycles({&robot}, 2);
+  const auto said = runner->said(robot.member());
+  ASSERT_TRUE(said) << said.error();
+  EXPECT_EQ(said->program, "at 0.0 s\nat 0.1 s\n");
+  ASSERT_FALSE(said->machine.empty());
+  EXPECT_EQ(said->machine.back().text, "a run has begun to talk to this agent");
+  EXPECT_LT(said->machine.back().age, 60.0);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(RobotsInRealTime, GoTheirWayThoughNobodyWaitsForThem) {
   constexpr std::chrono::milliseconds kPeriod(20);
   FleetOfThreads fleet(100);

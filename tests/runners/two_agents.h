@@ -27,7 +27,7 @@ inline std::unique_ptr<robot::ProgramRunner> two_agents(std::uint64_t seed,
     EXPECT_EQ(agents->back()->open(seed, kAgentVersion), std::nullopt);
   }
   return std::make_unique<robot_remote::RemoteRunner>(
-      [agents](const std::string& /*host*/,
+      [agents](const robot::RobotProgram& /*program*/,
                const std::vector<std::string>& /*lost*/) -> robot_remote::RemoteRunner::Newcomers {
         return {std::exchange(*agents, {}), "nobody of that name is there"};
       });

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -48,10 +49,11 @@ std::string counted_robots(std::size_t count) {
 
 class AgentProcess {
  public:
-  AgentProcess(const AgentSettings& settings, std::shared_ptr<Roster> roster, dds::Waiter waiter,
-               dds::Reader requests, dds::Reader stops, EchoAnswerer echoes, dds::Writer presence,
-               MissedTeller missed)
+  AgentProcess(const AgentSettings& settings, std::optional<robot::ExecutableOrigin> executable,
+               std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Reader requests, dds::Reader stops,
+               EchoAnswerer echoes, dds::Writer presence, MissedTeller missed)
       : settings_(settings),
+        executable_(std::move(executable)),
         roster_(std::move(roster)),
         waiter_(std::move(waiter)),
         requests_(std::move(requests)),
@@ -64,7 +66,8 @@ class AgentProcess {
     const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
     Clock::time_point next_beat = Clock::now();
     if (stop_.is_engaged)
-      settings_.tell(fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by));
+      settings_.log->add(
+          fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by));
     while (!stop.stop_requested()) {
       if (Clock::now() >= next_beat) {
         say_presence();
@@ -78,6 +81,7 @@ class AgentProcess {
       listen_for_stop();
       echoes_.answer();
       for (const dds::Arrival& arrival : requests_.take()) take(arrival);
+      greet_the_new();
       give_up_the_lost();
       forget_the_ended();
     }
@@ -102,12 +106,11 @@ class AgentProcess {
         auto begun = begin(key);
         if (!begun) return;
         at = conversations_.emplace(key, std::move(begun)).first;
-        settings_.tell("a run has begun to talk to this agent");
       }
       if (!at->second->add(arrival.body)) at->second->end();
     } else if (arrival.kind == Kind::kLost) {
       // Nobody can say what is missing in which of them.
-      settings_.tell("more has arrived than could be kept: all runs have lost their robots here");
+      settings_.log->add("more has arrived than could be kept: all runs have lost their robots here");
       for (auto& [key, conversation] : conversations_) conversation->end();
     }
   }
@@ -118,7 +121,8 @@ class AgentProcess {
     if (!answers) return nullptr;
     const auto writer = std::make_shared<dds::Writer>(std::move(*answers));
     return std::make_unique<Conversation>(
-        settings_.sources,
+        robot_remote::AgentTerms{settings_.sources, settings_.offered, [this] { return is_stopped_.load(); },
+                                 [this] { return settings_.log->lines(); }},
         [writer, key, is_met = false](std::string_view message,
                                       const std::function<bool()>& is_awaited) mutable {
           if (!is_met) is_met = meet(*writer, key.first, is_awaited);
@@ -129,8 +133,7 @@ class AgentProcess {
         [this, key]() -> std::shared_ptr<robot_remote::LiveLine> {
           auto live = open_live_line_of_agent(roster_->participant(), settings_.name, key.second, key.first);
           return live && (*live)->meet(Clock::now() + kMeetingPatience) ? *live : nullptr;
-        },
-        [this] { return is_stopped_.load(); });
+        });
   }
 
   // What is written before the run hears it would be lost.
@@ -152,16 +155,25 @@ class AgentProcess {
       // In real time a run says that it leaves; one that can't be heard may come back.
       if (key.first != run || conversation->is_live()) continue;
       robots += conversation->robot_count();
-      ++count;
+      if (conversation->has_opened()) ++count;
       conversation->end();
     }
-    if (count > 0) settings_.tell(fmt::format("a run has gone, and {} with it", counted_robots(robots)));
+    if (count > 0) settings_.log->add(fmt::format("a run has gone, and {} with it", counted_robots(robots)));
+  }
+
+  // Not who only asks something.
+  void greet_the_new() {
+    for (auto& [key, conversation] : conversations_) {
+      if (conversation->has_opened() && greeted_.insert(key).second)
+        settings_.log->add("a run has begun to talk to this agent");
+    }
+    std::erase_if(greeted_, [this](const Key& key) { return !conversations_.contains(key); });
   }
 
   void forget_the_ended() {
     for (const auto& [key, one] : conversations_) {
       if (one->has_ended() && one->has_left())
-        settings_.tell(fmt::format("a run has gone, and {} with it", counted_robots(one->robot_count())));
+        settings_.log->add(fmt::format("a run has gone, and {} with it", counted_robots(one->robot_count())));
     }
     std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
   }
@@ -192,14 +204,14 @@ class AgentProcess {
     is_stopped_ = stop_.is_engaged;
     for (auto& [key, conversation] : conversations_) conversation->look_at_stop();
     if (const auto problem = stop_file_.write(stop_))
-      settings_.tell(fmt::format("the emergency stop will not outlive this agent: {}", *problem));
+      settings_.log->add(fmt::format("the emergency stop will not outlive this agent: {}", *problem));
     say_presence();
     tell_whom_it_misses();
     if (settings_.tell_stop) settings_.tell_stop();
     if (stop_.is_engaged)
-      settings_.tell(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by));
+      settings_.log->add(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by));
     else if (was_stopped)
-      settings_.tell(fmt::format("the emergency stop was released by {}", stop_.by));
+      settings_.log->add(fmt::format("the emergency stop was released by {}", stop_.by));
   }
 
   // Who has not heard of the release holds the stop still; it is kept as long as there may be somebody.
@@ -219,8 +231,9 @@ class AgentProcess {
       if (!conversation->is_live() || conversation->has_ended()) continue;
       if (Clock::now() - conversation->heard() < robot_remote::from_seconds(robot_remote::kLivePatience))
         continue;
-      settings_.tell(fmt::format("nothing was heard of a run for {:.0f} s, and {} end with it",
-                                 robot_remote::kLivePatience, counted_robots(conversation->robot_count())));
+      settings_.log->add(fmt::format("nothing was heard of a run for {:.0f} s, and {} end with it",
+                                     robot_remote::kLivePatience,
+                                     counted_robots(conversation->robot_count())));
       conversation->end();
     }
   }
@@ -242,12 +255,19 @@ class AgentProcess {
     std::size_t robots = 0;
     for (const auto& [key, conversation] : conversations_) robots += conversation->robot_count();
     said.set_robots(static_cast<std::uint32_t>(robots));
-    said.set_runs(static_cast<std::uint32_t>(conversations_.size()));
+    const auto runs =
+        std::ranges::count_if(conversations_, [](const auto& one) { return one.second->has_opened(); });
+    said.set_runs(static_cast<std::uint32_t>(runs));
+    if (executable_) {
+      said.mutable_offered()->set_name(executable_->name);
+      said.mutable_offered()->set_source(executable_->source);
+    }
     // One that nobody takes is followed by the next.
     static_cast<void>(presence_.write(settings_.name, said.SerializeAsString()));
   }
 
   const AgentSettings& settings_;
+  std::optional<robot::ExecutableOrigin> executable_;
   std::shared_ptr<Roster> roster_;  // keeps the participant
   dds::Waiter waiter_;
   dds::Reader requests_;
@@ -260,6 +280,7 @@ class AgentProcess {
   std::atomic<bool> is_stopped_ = stop_.is_engaged;
   Clock::time_point began_ = Clock::now();
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
+  std::set<Key> greeted_;
 };
 
 }  // namespace
@@ -273,6 +294,12 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!is_agent_name(settings.name))
     return fmt::format("`{}` can't be the name of an agent: 1 to 64 letters, digits, `-`, `_` and `.`",
                        text::shown(settings.name));
+  std::optional<robot::ExecutableOrigin> executable;
+  if (!settings.offered.empty()) {
+    auto program = robot::load_offered(settings.offered, settings.sources);
+    if (!program) return fmt::format("`{}` {}", settings.offered, program.error());
+    executable = std::move(program->executable);
+  }
   auto roster = Roster::join(settings.network);
   if (!roster) return roster.error();
   const auto is_taken = [&](const std::vector<Member>& members) {
@@ -297,8 +324,9 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!presence) return presence.error();
   auto missed = MissedTeller::open(participant, "agent " + settings.name);
   if (!missed) return missed.error();
-  AgentProcess process(settings, std::move(*roster), std::move(*waiter), std::move(*requests),
-                       std::move(*stops), std::move(*echoes), std::move(*presence), std::move(*missed));
+  AgentProcess process(settings, std::move(executable), std::move(*roster), std::move(*waiter),
+                       std::move(*requests), std::move(*stops), std::move(*echoes), std::move(*presence),
+                       std::move(*missed));
   if (settings.tell_ready) settings.tell_ready();
   process.serve(stop);
   return std::nullopt;

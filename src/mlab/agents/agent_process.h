@@ -2,10 +2,12 @@
 
 #include <expected>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 
+#include "mlab/agents/agent_log.h"
 #include "mlab/dds/network.h"
 #include "mlab/robot/program/robot_program.h"
 
@@ -19,18 +21,19 @@ struct AgentSettings {
   std::string name;  ///< in the fleet: is_agent_name
   /// What of code that runs bring may be compiled and run here, and by what means. `version` is this agent's.
   robot::ProgramSources sources;
+  /// Path of the executable whose robots it carries, and no others; empty: those that are built from text.
+  std::string offered = {};
   /// File that an emergency stop is kept in, so that the agent still stands when it is started again; empty:
   /// it is not kept.
   std::string stop_file = {};
-  /// Called with what a person at this machine is to know, a line each; one thread at a time.
-  std::function<void(const std::string&)> tell;
-  std::function<void()> tell_stop = {};   ///< called when the emergency stop was pulled or released; as above
+  std::shared_ptr<AgentLog> log;          ///< gets what a person at this machine is to know; not null
+  std::function<void()> tell_stop = {};   ///< called when the emergency stop was pulled or released
   std::function<void()> tell_ready = {};  ///< called once it has joined; empty: nobody wants to know
 };
 
 /// Joins the fleet and carries robots for its runs, until `stop` is requested; then all robots here end. A
 /// run whose process goes away, or is silent for so long that it is given up, loses its robots here.
-/// @errors  a sentence: the network can't be used; the name is taken
+/// @errors  a sentence: the network can't be used; the name is taken; the executable is no robot program
 std::optional<std::string> serve_as_agent(const AgentSettings& settings, const std::stop_token& stop);
 
 }  // namespace mlab::agents

@@ -3,8 +3,6 @@
 #include <chrono>
 #include <utility>
 
-#include "mlab/robot/remote/runner_server.h"
-
 namespace mlab::agents {
 namespace {
 
@@ -13,11 +11,10 @@ constexpr std::chrono::seconds kOpeningPatience(10);  // for a run to say who it
 
 }  // namespace
 
-Conversation::Conversation(robot::ProgramSources sources, Answer answer, GoLive go_live,
-                           std::function<bool()> is_stopped)
-    : answer_(std::move(answer)), go_live_(std::move(go_live)), is_stopped_(std::move(is_stopped)) {
-  sources.ends = stop_.get_token();
-  thread_ = std::thread([this, sources = std::move(sources)] { serve(sources); });
+Conversation::Conversation(robot_remote::AgentTerms terms, Answer answer, GoLive go_live)
+    : answer_(std::move(answer)), go_live_(std::move(go_live)), is_stopped_(terms.is_stopped) {
+  terms.sources.ends = stop_.get_token();
+  thread_ = std::thread([this, terms = std::move(terms)] { serve(terms); });
 }
 
 Conversation::~Conversation() {
@@ -91,12 +88,13 @@ std::optional<std::string> Conversation::next_live(robot_remote::RunnerServer& s
   }
 }
 
-void Conversation::serve(const robot::ProgramSources& sources) {
-  robot_remote::RunnerServer server(sources, is_stopped_);
+void Conversation::serve(const robot_remote::AgentTerms& terms) {
+  robot_remote::RunnerServer server(terms);
   const auto nobody_waits = [this] { return is_to_end_.load(); };
   while (const auto message = is_live_ ? next_live(server) : next_request(server)) {
     const std::string_view answer = server.answer(*message, nobody_waits);
     robots_ = server.robot_count();
+    has_opened_ = server.is_open();
     has_left_ = server.has_left();
     heard_ = robot_remote::Clock::now();
     if (server.period() > 0.0 && !is_live_) {

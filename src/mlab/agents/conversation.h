@@ -13,12 +13,8 @@
 #include <thread>
 
 #include "mlab/agents/topics.h"
-#include "mlab/robot/program/robot_program.h"
 #include "mlab/robot/remote/live_line.h"
-
-namespace mlab::robot_remote {
-class RunnerServer;
-}
+#include "mlab/robot/remote/runner_server.h"
 
 namespace mlab::agents {
 
@@ -33,9 +29,8 @@ class Conversation {
   /// opened.
   using GoLive = std::function<std::shared_ptr<robot_remote::LiveLine>()>;
 
-  /// @param is_stopped  an emergency stop holds; may be asked by any thread, as long as this stands
-  Conversation(robot::ProgramSources sources, Answer answer, GoLive go_live,
-               std::function<bool()> is_stopped);
+  /// @param terms  what they refer to outlives this
+  Conversation(robot_remote::AgentTerms terms, Answer answer, GoLive go_live);
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
   ~Conversation();
@@ -48,6 +43,8 @@ class Conversation {
   /// Whether an emergency stop holds has changed: it is heeded at once.
   void look_at_stop();
   bool has_ended() const { return has_ended_.load(); }
+  /// A run has said who it is: it is more than a question.
+  bool has_opened() const { return has_opened_.load(); }
   /// Its run has said that it ends.
   bool has_left() const { return has_left_.load(); }
   std::size_t robot_count() const { return robots_.load(); }
@@ -57,7 +54,7 @@ class Conversation {
   robot_remote::Clock::time_point heard() const { return heard_.load(); }
 
  private:
-  void serve(const robot::ProgramSources& sources);
+  void serve(const robot_remote::AgentTerms& terms);
   std::optional<std::string> next_request(robot_remote::RunnerServer& server);
   std::optional<std::string> next_live(robot_remote::RunnerServer& server);
 
@@ -73,6 +70,7 @@ class Conversation {
   std::stop_source stop_;  // of what is built or started for it
   std::atomic<bool> has_ended_ = false;
   std::atomic<std::size_t> robots_ = 0;
+  std::atomic<bool> has_opened_ = false;
   std::atomic<bool> has_left_ = false;
   std::atomic<bool> is_live_ = false;
   std::atomic<robot_remote::Clock::time_point> heard_;

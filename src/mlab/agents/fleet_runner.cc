@@ -24,6 +24,20 @@ bool fits(const wire::AgentPresence& agent, const std::string& version) {
          agent.layout() == robot_wire::shared_layout();
 }
 
+std::optional<robot::ExecutableOrigin> offered_by(const wire::AgentPresence& agent) {
+  if (!agent.has_offered()) return std::nullopt;
+  return robot::ExecutableOrigin{agent.offered().name(), agent.offered().source()};
+}
+
+// Robots of that program may be carried there, if the name is right.
+bool offers(const wire::AgentPresence& agent, const robot::RobotProgram& program) {
+  return agent.offered().source() == (program.executable ? program.executable->source : 0);
+}
+
+bool is_other_version(const wire::AgentPresence& agent, const robot::RobotProgram& program) {
+  return program.executable && agent.offered().name() == program.executable->name && !offers(agent, program);
+}
+
 /// Agents of a fleet, each of which is given out once.
 class Recruits {
  public:
@@ -36,25 +50,26 @@ class Recruits {
         hints_(std::move(hints)) {}
 
   /// Where no such agent was ever there, the first call waits a while.
-  robot_remote::RemoteRunner::Newcomers find(const std::string& host, const std::vector<std::string>& lost) {
+  robot_remote::RemoteRunner::Newcomers find(const robot::RobotProgram& program,
+                                             const std::vector<std::string>& lost) {
     for (const std::string& name : lost) known_.erase(name);
     const auto is_wanted = [&](const std::vector<Member>& members) {
       return std::ranges::any_of(members, [&](const Member& one) {
-        return (host.empty() || one.said.name() == host) && one.state == Member::State::kThere &&
-               fits(one.said, version_);
+        return (program.host.empty() || one.said.name() == program.host) && offers(one.said, program) &&
+               one.state == Member::State::kThere && fits(one.said, version_);
       });
     };
-    if (waited_for_.insert(host).second) roster_->wait(is_wanted, Clock::now() + kJoiningPatience);
+    const std::uint64_t source = program.executable ? program.executable->source : 0;
+    if (waited_for_.emplace(program.host, source).second)
+      roster_->wait(is_wanted, Clock::now() + kJoiningPatience);
     robot_remote::RemoteRunner::Newcomers out;
-    out.why_none =
-        host.empty() ? fmt::format("none has joined the fleet `{0}`: `mlab agent --fleet {0}{1}` starts one",
-                                   roster_->fleet(), hints_.here)
-                     : fmt::format(
-                           "none of the name `{1}` has joined the fleet `{0}`: there, `mlab agent "
-                           "--fleet {0} --name {1}{2}` starts one",
-                           roster_->fleet(), text::shown(host), hints_.elsewhere);
+    out.why_none = why_none(program);
     for (const Member& one : roster_->members()) {
-      if (one.state != Member::State::kThere || is_known(one)) continue;
+      if (one.state != Member::State::kThere) continue;
+      if (is_other_version(one.said, program))
+        out.why_none = fmt::format("`{}` offers another version of `{}`: copy yours to it, and start it anew",
+                                   one.said.name(), program.executable->name);
+      if (is_known(one)) continue;
       if (!fits(one.said, version_)) {
         out.why_none = misfit(one.said);
         continue;
@@ -66,7 +81,8 @@ class Recruits {
       }
       known_[one.said.name()] = one.guid;
       roster_->hold(one.said.name());
-      auto agent = std::make_unique<robot_remote::Agent>(one.said.name(), std::move(*link));
+      auto agent = std::make_unique<robot_remote::Agent>(one.said.name(), std::move(*link),
+                                                         robot_remote::Patience{}, offered_by(one.said));
       if (auto problem = agent->open(seed_, version_, period_))
         out.why_none = std::move(*problem);
       else
@@ -76,6 +92,19 @@ class Recruits {
   }
 
  private:
+  std::string why_none(const robot::RobotProgram& program) const {
+    const std::string& fleet = roster_->fleet();
+    const std::string host = text::shown(program.host);
+    const std::string who = host.empty() ? "none" : fmt::format("none of the name `{}`", host);
+    const std::string words =
+        host.empty() ? hints_.here : fmt::format(" --name {}{}", host, hints_.elsewhere);
+    if (program.executable)
+      return fmt::format("{0} in the fleet `{1}` offers `{2}`: there, `./{2} --fleet {1}{3}` does", who,
+                         fleet, text::shown(program.executable->name),
+                         host.empty() ? hints_.elsewhere : words);
+    return fmt::format("{0} has joined the fleet `{1}`: {2}`mlab agent --fleet {1}{3}` starts one", who,
+                       fleet, host.empty() ? "" : "there, ", words);
+  }
   bool is_known(const Member& member) const {
     const auto at = known_.find(member.said.name());
     return at != known_.end() && at->second == member.guid;
@@ -91,8 +120,8 @@ class Recruits {
   std::string version_;
   double period_;  // [s]; 0: in lock-step
   StartHints hints_;
-  std::map<std::string, dds::Guid> known_;  // by name: who was given out last
-  std::set<std::string> waited_for_;
+  std::map<std::string, dds::Guid> known_;                      // by name: who was given out last
+  std::set<std::pair<std::string, std::uint64_t>> waited_for_;  // host, and source of the executable
 };
 
 }  // namespace
@@ -101,8 +130,8 @@ std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> 
                                                         const std::string& version, double period,
                                                         StartHints hints) {
   auto recruits = std::make_shared<Recruits>(std::move(roster), seed, version, period, std::move(hints));
-  auto recruit = [recruits](const std::string& host, const std::vector<std::string>& lost) {
-    return recruits->find(host, lost);
+  auto recruit = [recruits](const robot::RobotProgram& program, const std::vector<std::string>& lost) {
+    return recruits->find(program, lost);
   };
   if (period > 0.0) return std::make_unique<robot_remote::LiveRunner>(std::move(recruit), period);
   return std::make_unique<robot_remote::RemoteRunner>(std::move(recruit));

@@ -15,6 +15,10 @@ void add_agent_options(CLI::App* c, AgentOptions& o) {
                 "machine's)")
       ->check(refuse_unless_name)
       ->type_name("NAME");
+  c->add_option("--offer", o.offer,
+                "carry robots of this executable of `mlab build`, and no others; what it does when it is "
+                "started with --fleet itself")
+      ->type_name("FILE");
   add_network(c, o.network);
   c->add_flag("--allow-native", o.allow_native,
               "with --network: compile and run, in cells, C++ that runs on other machines bring");

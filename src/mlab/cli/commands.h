@@ -77,7 +77,8 @@ int edit(RunOptions options);
 
 struct AgentOptions {
   NetworkOptions network;
-  std::string name;  ///< in the fleet; empty: the machine's
+  std::string name;   ///< in the fleet; empty: the machine's
+  std::string offer;  ///< executable whose robots it carries, and no others; empty: those that runs bring
   bool allow_native = false;
   bool no_cell = false;
   robot_host::Limits limits;  ///< of the robots' processes
@@ -91,6 +92,7 @@ struct FleetOptions {
   bool stop = false;     ///< pull the emergency stop
   bool release = false;  ///< release it
   bool json = false;
+  std::string log;  ///< agent whose log is read; empty: who is there is said
 };
 /// Says who is in a fleet, again and again until it is interrupted.
 int show_fleet(const FleetOptions& options);

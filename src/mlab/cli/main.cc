@@ -314,6 +314,7 @@ void add_fleet(CLI::App& app, FleetOptions& o) {
   auto* const stop = c->add_flag("--stop", o.stop,
                                  "EMERGENCY STOP: all robots of the fleet stand, until somebody releases it");
   c->add_flag("--release", o.release, "release the emergency stop")->excludes(stop);
+  c->add_option("--log", o.log, "what the agent of that name told last")->excludes(stop)->type_name("NAME");
 }
 
 void add_keys(CLI::App& app, KeysOptions& o) {

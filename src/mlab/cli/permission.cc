@@ -51,7 +51,7 @@ cell::Permission permission_to_carry(const AgentOptions& options) {
   const bool is_local = options.network.interface_name.empty();
   return cell::Permission::decide({.purpose = Grounds::Purpose::kRun,
                                    .people = is_local ? Grounds::People::kHere : Grounds::People::kElsewhere,
-                                   .allows_native = options.allow_native,
+                                   .allows_native = options.allow_native || !options.offer.empty(),
                                    .without_cell = options.no_cell,
                                    .is_trusted = true,
                                    .known = nullptr},

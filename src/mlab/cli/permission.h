@@ -16,8 +16,8 @@ cell::Permission permission_to_check(bool is_trusted, bool without_cell);
 /// Of `build` and exports: the code is what the command line names.
 cell::Permission permission_to_build(const BuildOptions& options);
 
-/// Of `agent`: the code is what runs of its fleet bring. What other machines can reach takes none without
-/// being told to.
+/// Of `agent`: the code is what runs of its fleet bring, of which what other machines can reach takes none
+/// without being told to; or else the executable that it offers, which whoever started it names.
 cell::Permission permission_to_carry(const AgentOptions& options);
 
 /// Of `run` and `edit`.

@@ -6,6 +6,7 @@ import { sentence } from "../../ui/words/sentence.ts";
 import { faulted, robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session/session.ts";
 import { ReplaceButton } from "./replace_button.tsx";
+import { SaidThere } from "./said.tsx";
 
 /** One robot in short. */
 export function RobotFacts({ id }: { id: number }) {
@@ -58,6 +59,7 @@ export function RobotFacts({ id }: { id: number }) {
           ["Carries", detail.carried ? `object ${detail.carried}` : "nothing"],
         ]}
       />
+      {(detail.machine || detail.fault) && <SaidThere key={id} robot={id} machine={detail.machine} />}
     </div>
   );
 }

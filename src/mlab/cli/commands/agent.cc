@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <stop_token>
 #include <system_error>
 #include <thread>
@@ -26,7 +27,7 @@ namespace mlab::cli {
 namespace {
 
 // A line of the agent's log, at once.
-void say(const std::string& line) {
+void print_line(const std::string& line) {
   write_output_now(fmt::format("{}  {}\n", print(wall_clock()), line));
 }
 
@@ -43,17 +44,16 @@ class LastSeen {
   /// @param file  empty: it is not kept
   explicit LastSeen(std::string file) : file_(std::move(file)) {}
 
-  void tell_gap() const {
+  void tell_gap(agents::AgentLog& log) const {
     std::ifstream stream(file_);
     std::int64_t last = 0;
     if (file_.empty() || !(stream >> last)) return;
     MissionClock then = wall_clock();
     const double gap = then.epoch_seconds - static_cast<double>(last);
     then.epoch_seconds = static_cast<double>(last);
-    say(
+    log.add(
         fmt::format("did not end in order: it was there last at about {}{} (noted every {:.0f} s). Runs of "
-                    "then have lost "
-                    "their robots here",
+                    "then have lost their robots here",
                     print(then), gap > 0.0 ? fmt::format(", {:.0f} s ago", gap) : "", kApart));
   }
   void note() {
@@ -87,8 +87,11 @@ std::string reach_of(const NetworkOptions& network) {
 }
 
 void tell_ready(const agents::AgentSettings& settings, const NetworkOptions& network) {
-  say(fmt::format("agent `{}` of {}fleet `{}`, {}: waits for runs", settings.name,
-                  network.is_secure ? "the secured " : "", settings.network.fleet, reach_of(network)));
+  const std::string what =
+      settings.offered.empty() ? "" : fmt::format(", which carries robots of {} only", settings.offered);
+  settings.log->add(fmt::format("agent `{}` of {}fleet `{}`{}, {}: waits for runs", settings.name,
+                                network.is_secure ? "the secured " : "", settings.network.fleet, what,
+                                reach_of(network)));
   if (!network.interface_name.empty() && !network.is_secure)
     fmt::print(stderr, "mlab agent: warning: whoever reaches this network can have robots computed here\n");
 }
@@ -132,8 +135,12 @@ agents::AgentSettings settings_of(const AgentOptions& options) {
   out.name = options.name.empty() ? agents::machine_name() : options.name;
   out.sources = program_sources("", permission_to_carry(options));
   out.sources.limits = options.limits;
+  if (!options.offer.empty()) {
+    std::error_code failure;
+    out.offered = std::filesystem::absolute(options.offer, failure).string();
+  }
   out.stop_file = kept_file(fleet_of(options.network.fleet), out.name, "stop");
-  out.tell = say;
+  out.log = std::make_shared<agents::AgentLog>(print_line);
   return out;
 }
 
@@ -146,7 +153,7 @@ int agent(const AgentOptions& options) {
   keys::WithdrawalWatch withdrawals(identity_folder(options.network));
   settings.tell_stop = [&] { last_seen.want_note(); };
   for (bool is_first = true; !was_interrupted(); is_first = false) {
-    if (!is_first) say("somebody was withdrawn from the fleet: joins it anew");
+    if (!is_first) settings.log->add("somebody was withdrawn from the fleet: joins it anew");
     const auto network = network_of(options.network);
     if (!network) {
       fmt::print(stderr, "mlab agent: {}\n", network.error());
@@ -156,7 +163,7 @@ int agent(const AgentOptions& options) {
     Watch watch(last_seen, withdrawals);
     settings.tell_ready = [&] {
       tell_ready(settings, options.network);
-      if (is_first) last_seen.tell_gap();
+      if (is_first) last_seen.tell_gap(*settings.log);
       watch.joined();
     };
     if (const auto problem = agents::serve_as_agent(settings, watch.token())) {
@@ -164,7 +171,7 @@ int agent(const AgentOptions& options) {
       return kBadInput;
     }
   }
-  say("has left the fleet");
+  settings.log->add("has left the fleet");
   last_seen.end();
   return kDone;
 }

@@ -16,6 +16,7 @@
 #include "mlab/cli/input.h"
 #include "mlab/cli/other_language.h"
 #include "mlab/cli/permission.h"
+#include "mlab/cli/places.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/lang/cdl/emit_cnl.h"
@@ -72,6 +73,12 @@ std::optional<robot_build::RobotSource> networked(const BuildOptions& options, t
   out.network = std::move(read->network);
   out.procedures = {read->tree};
   return out;
+}
+
+// Empty: it is not beside this program.
+std::string agent_path() {
+  const std::string out = prefix() + "/bin/mlab-agent";
+  return ::access(out.c_str(), X_OK) == 0 ? out : "";
 }
 
 // Where progress is shown to a person; nothing in a pipe.
@@ -153,6 +160,7 @@ int build(const BuildOptions& asked) {
     robot->is_closed = options.closed;
   }
   const bool is_sound = robot && !sink.has_errors();
+  if (is_sound && options.emit.empty()) robot->agent = agent_path();
   if (is_sound && options.emit.empty()) return build_program(options, *robot, sink);
   if (is_sound && options.emit == "cnl") cdl::check_for_cnl(robot->network, sink);
   tell(sink);

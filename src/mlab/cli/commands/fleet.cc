@@ -14,9 +14,11 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/agents/agent_log.h"
 #include "mlab/agents/echo.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/stop_switch.h"
+#include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/fleet_stop.h"
@@ -92,7 +94,9 @@ std::string table_of(const std::string& fleet, const std::vector<Member>& member
         "{:<16} {:<16} {} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n", one.said.name(),
         one.said.host(), colored(state, color_of(one)), link_of(link), clock_of(link), one.said.robots(),
         one.said.runs(), fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
-        fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()), one.said.version());
+        fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()),
+        one.said.version() +
+            (one.said.has_offered() ? fmt::format(", `{}` only", one.said.offered().name()) : ""));
   }
   return out;
 }
@@ -108,19 +112,21 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
   nlohmann::json agents = nlohmann::json::array();
   for (const Member& one : members) {
     constexpr const char* kStates[] = {"there", "silent", "gone"};
-    agents.push_back({{"name", one.said.name()},
-                      {"machine", one.said.host()},
-                      {"state", kStates[static_cast<std::size_t>(one.state)]},
-                      {"is_stopped", one.said.stop().is_engaged()},
-                      {"heard_s_ago", seconds_since(one.heard)},
-                      {"link", json_of(links.quality(one.said.name()))},
-                      {"robots", one.said.robots()},
-                      {"runs", one.said.runs()},
-                      {"load", one.said.load()},
-                      {"processors", one.said.processors()},
-                      {"free_memory_bytes", one.said.free_memory()},
-                      {"uptime_s", one.said.uptime()},
-                      {"version", one.said.version()}});
+    agents.push_back(
+        {{"name", one.said.name()},
+         {"machine", one.said.host()},
+         {"state", kStates[static_cast<std::size_t>(one.state)]},
+         {"is_stopped", one.said.stop().is_engaged()},
+         {"heard_s_ago", seconds_since(one.heard)},
+         {"link", json_of(links.quality(one.said.name()))},
+         {"robots", one.said.robots()},
+         {"runs", one.said.runs()},
+         {"load", one.said.load()},
+         {"processors", one.said.processors()},
+         {"free_memory_bytes", one.said.free_memory()},
+         {"uptime_s", one.said.uptime()},
+         {"version", one.said.version()},
+         {"executable", one.said.has_offered() ? nlohmann::json(one.said.offered().name()) : nullptr}});
   }
   return nlohmann::json{{"fleet", fleet}, {"agents", agents}}.dump(2) + "\n";
 }
@@ -185,6 +191,28 @@ int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> ros
   return kFailed;
 }
 
+int show_log(const std::shared_ptr<agents::Roster>& roster, const std::string& agent) {
+  const auto is_there = [&](const std::vector<Member>& members) {
+    return was_interrupted() ||
+           std::ranges::any_of(members, [&](const Member& one) { return one.said.name() == agent; });
+  };
+  roster->wait(is_there, Clock::now() + kFirstLook);
+  const auto lines = agents::read_log(roster, agent);
+  if (!lines) {
+    fmt::print(stderr, "mlab fleet: {}\n", lines.error());
+    return kFailed;
+  }
+  const MissionClock now = wall_clock();
+  std::string out;
+  for (const robot::LogLine& line : *lines) {
+    MissionClock then = now;
+    then.epoch_seconds -= line.age;
+    out += fmt::format("{}  {}\n", print(then), line.text);
+  }
+  write_output_now(out);
+  return kDone;
+}
+
 /// The fleet as seen from here.
 struct View {
   std::shared_ptr<agents::Roster> roster;
@@ -221,6 +249,10 @@ int show_fleet(const FleetOptions& options) {
   if (options.stop || options.release) {
     auto roster = join(options);
     return roster ? switch_stop(options, *roster) : tell_problem(roster.error());
+  }
+  if (!options.log.empty()) {
+    const auto roster = join(options);
+    return roster ? show_log(*roster, options.log) : tell_problem(roster.error());
   }
   keys::WithdrawalWatch withdrawals(identity_folder(options.network));
   auto view = look(options);

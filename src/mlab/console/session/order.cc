@@ -49,6 +49,8 @@ Order Order::of(ToServer::BodyCase body) {
       return {kAnybody, kDuringCycle, T::taken<&Names::find_definition, &M::find_definition, kNames>};
     case M::kFindUses:
       return {kAnybody, kDuringCycle, T::taken<&Names::find_uses, &M::find_uses, kNames>};
+    case M::kReadSaid:
+      return {kAnybody, kAfterCycle, T::taken<&Run::read_said, &M::read_said, kRun>};
     case M::kReadText:
       return {kAnybody, kDuringCycle, T::taken<&Names::read_text, &M::read_text, kNames>};
 

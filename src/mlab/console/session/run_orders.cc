@@ -312,4 +312,21 @@ Answered RunOrders::replace_robot(const Sender& sender, const ReplaceRobot& repl
   return std::nullopt;
 }
 
+Answered RunOrders::read_said(const ReadSaid& read, Reply& reply) {
+  if (run_.live() == nullptr) return "there is no run";
+  const fleet::FleetRobot* const robot = run_.live()->run().fleet().find(base::RobotId{read.robot()});
+  if (robot == nullptr) return fmt::format("there is no robot {}", read.robot());
+  if (robot->runner == nullptr) return "no program runs for it";
+  const auto known = robot->runner->said(robot->member);
+  if (!known) return clean(known.error());
+  Said& out = *reply.mutable_said();
+  for (const robot::LogLine& line : known->machine) {
+    Said::Line& told = *out.add_machine();
+    told.set_age(line.age);
+    told.set_text(clean(line.text));
+  }
+  out.set_program(clean(known->program));
+  return std::nullopt;
+}
+
 }  // namespace mlab::console

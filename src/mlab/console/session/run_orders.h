@@ -30,6 +30,7 @@ class RunOrders {
   Answered hold_value(const Sender& sender, const HoldValue& hold);
   Answered release_value(const Sender& sender, const ReleaseValue& release);
   Answered replace_robot(const Sender& sender, const ReplaceRobot& replace);
+  Answered read_said(const ReadSaid& read, Reply& reply);
 
  private:
   Answered why_not(const Control& control) const;

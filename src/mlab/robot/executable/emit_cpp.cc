@@ -199,7 +199,19 @@ Brought brought_by(const RobotSource& robot) {
   return out;
 }
 
-CppFile main_file(const RobotSource& robot, const Grouping& grouping) {
+// What the program does depends on this, and not on where it was written or compiled: whoever has the same
+// number has the same program.
+std::uint64_t source_hash(const RobotSource& robot, std::string_view main,
+                          const std::vector<CppFile>& others) {
+  std::uint64_t out = base::hash_text(main);
+  for (const CppFile& file : others) {
+    out = base::hash_text(file.name, out);
+    out = base::hash_text(file.procedures ? file.procedures->source->text() : file.text, out);
+  }
+  return base::combine_bits(out, base::hash_text(robot.version));
+}
+
+CppFile main_file(const RobotSource& robot, const Grouping& grouping, const std::vector<CppFile>& others) {
   CppFile out;
   out.name = "main";
   std::string& text = out.text;
@@ -234,9 +246,11 @@ CppFile main_file(const RobotSource& robot, const Grouping& grouping) {
       "          .groups = {{{}}},\n          .order = {{{}}},\n"
       "          .components = mlab_library_behaviors,\n          .brought = {{{}}},\n"
       "          .declarations = {{{}}},\n          .is_closed = {},\n"
-      "          .body = {{{}}},\n      }});\n}}\n",
+      "          .body = {{{}}},\n",
       cpp_string(robot.name), cpp_string(robot.version), functions, order, brought.names,
       brought.declarations, robot.is_closed, body);
+  text += fmt::format("          .source = 0x{:016x},\n          .agent = {},\n      }});\n}}\n",
+                      source_hash(robot, text, others), cpp_string(robot.agent));
   return out;
 }
 
@@ -244,13 +258,14 @@ CppFile main_file(const RobotSource& robot, const Grouping& grouping) {
 
 std::vector<CppFile> emit_cpp(const RobotSource& robot) {
   const Grouping grouping = group(robot.network);
-  std::vector<CppFile> out = {main_file(robot, grouping)};
+  std::vector<CppFile> out;
   for (const auto& tree : robot.procedures) {
     if (!cnl::has_procedures(*tree)) continue;
     const std::string stem = cnl::stem_of(tree->source->name());
     out.push_back({"procedures_" + stem, cnl::generate(*tree, {stem + ".cnl.cc", false}), tree});
   }
   for (const Group& one : grouping.groups) out.push_back(group_file(robot, one));
+  out.insert(out.begin(), main_file(robot, grouping, out));
   return out;
 }
 

@@ -19,6 +19,8 @@ struct RobotSource {
   std::vector<std::shared_ptr<const cnl::Tree>> procedures;  ///< files that bring procedures, in their order
   std::string version;                                       ///< of this missionlab
   bool is_closed = false;                                    ///< who runs it does not see its nodes
+  std::string agent =
+      {};  ///< path of `mlab-agent` here, for who starts it as a member of a fleet; empty: elsewhere
 };
 
 /// One file of generated C++, compiled by itself.

@@ -49,6 +49,11 @@ class ChildProcess {
   std::string end(double patience);
   /// By SIGKILL: somebody outside ended it. Of one that has ended.
   bool was_killed() const { return was_killed_; }
+  /// The end of what it wrote to standard error, as it stands.
+  const std::string& said() {
+    take_errors();
+    return errors_;
+  }
   /// The last words of its standard error, one line; empty: it said nothing.
   std::string last_words();
 

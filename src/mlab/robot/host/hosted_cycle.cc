@@ -66,6 +66,7 @@ std::optional<std::string> HostedCycle::prepare() {
 // The process that computes; started where there is none.
 std::optional<std::string> HostedCycle::ensure_process() {
   if (process_ && !process_->has_failed()) return std::nullopt;
+  if (process_) said_before_ = process_->said();
   process_.reset();
   memory_->begin_anew(asked_ever_);
   auto started = start_hosted(*program_, &*memory_);
@@ -235,6 +236,10 @@ HostedCycle::Outcome HostedCycle::take(std::size_t place, percept::Action& actio
     return {{}, "answers nonsense: its action has fields that there are not"};
   if (interventions != nullptr) interventions->take_notes_of(memory_->interventions(one.slot));
   return {{memory_->frame(one.slot), memory_->frame_size()}, ""};
+}
+
+std::string HostedCycle::said() {
+  return said_before_ + (process_ ? process_->said() : "");
 }
 
 }  // namespace mlab::robot_host

@@ -50,6 +50,9 @@ class HostedCycle {
   void ask();
   void wait(const Meanwhile& meanwhile);
 
+  /// The end of what its process wrote to standard error, and the one before it.
+  std::string said();
+
   struct Outcome {
     /// After the cycle, until `begin`; any bytes, as a program may leave them.
     std::span<const std::byte> frame;
@@ -93,6 +96,7 @@ class HostedCycle {
   bool is_early_;
   std::optional<SharedMemory> memory_;
   std::optional<RobotProgramProcess> process_;
+  std::string said_before_;    // by the process before this one
   std::deque<Joined> joined_;  // the first `count_` are of this cycle
   std::size_t count_ = 0;
   std::vector<Joined*> asked_;    // in the order in which the program has them

@@ -8,6 +8,9 @@ std::expected<StartedProgram, std::string> start_hosted(const HostedProgram& pro
                                                         const SharedMemory* memory) {
   auto process = RobotProgramProcess::start(program.launch, program.limits, memory);
   if (!process) return std::unexpected(process.error());
+  if (program.source != 0 && process->source() != program.source)
+    return std::unexpected(
+        "was built anew meanwhile: it is another program than the one that was begun with");
   StartedProgram out{std::move(*process), {}};
   if (program.load) {
     wire::ToRobot message;

@@ -21,6 +21,7 @@ struct HostedProgram {
   bool is_for_one_robot = false;   ///< each of its robots has a process of its own
   std::uint64_t frame_layout = 0;  ///< flow::Program::layout_hash
   std::size_t frame_size = 0;      ///< [bytes]
+  std::uint64_t source = 0;  ///< as RobotProgramProcess::source: nothing else is run in its place; 0: any
   /// By index of the network's nodes: whose code runs there (`procedure `Speed` at `steer``), for sentences
   /// about it; empty: code of ours.
   std::vector<std::string> codes;

@@ -40,6 +40,7 @@ std::expected<RobotProgramProcess, std::string> RobotProgramProcess::start(const
     return std::unexpected(out.failure());
   }
   out.layout_ = answer->welcome().layout();
+  out.source_ = answer->welcome().source();
   out.patience_ = limits.answer;
   return out;
 }
@@ -111,7 +112,7 @@ bool RobotProgramProcess::note_end() {
   return has_failed();
 }
 
-std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& launch, const Limits& limits) {
+std::expected<std::optional<Revealed>, std::string> reveal(const Launch& launch, const Limits& limits) {
   auto process = RobotProgramProcess::start(launch, limits);
   if (!process) return std::unexpected(process.error());
   if (process->layout() != robot_wire::shared_layout()) return std::nullopt;
@@ -119,7 +120,7 @@ std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& l
   message.mutable_reveal();
   const wire::FromRobot* answer = process->ask(message, wire::FromRobot::kRevealed);
   if (answer == nullptr) return std::unexpected(process->failure());
-  return answer->revealed();
+  return Revealed{answer->revealed(), process->source()};
 }
 
 std::expected<wire::Description, std::string> describe(const Launch& launch, const Settings& settings,

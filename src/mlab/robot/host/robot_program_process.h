@@ -63,7 +63,11 @@ class RobotProgramProcess {
 
   /// Of the headers that it was made with, where it answers Reveal and Share; else 0.
   std::uint64_t layout() const { return layout_; }
+  /// Hash of all that it was made from; 0: it does not say.
+  std::uint64_t source() const { return source_; }
 
+  /// The end of what it wrote to standard error, as it stands.
+  const std::string& said() { return child_.said(); }
   /// Processor time of all its threads so far [s].
   double processor_time() const { return child_.processor_time(); }
   /// Looks whether it has ended by itself, and reads what it has to say. True: it has, and has failed with
@@ -90,15 +94,21 @@ class RobotProgramProcess {
   Clock::time_point sent_;
   robot_wire::FrameReader reader_;
   std::uint64_t layout_ = 0;
+  std::uint64_t source_ = 0;
   std::string bytes_;
   wire::FromRobot answer_;
   std::string failure_;
 };
 
-/// How an executable is made that was made with the headers of this program.
+/// How an executable is made.
+struct Revealed {
+  wire::Revealed how;
+  std::uint64_t source = 0;  ///< as RobotProgramProcess::source
+};
+/// Asks an executable that was made with the headers of this program.
 /// @return  nothing where it was made otherwise
 /// @errors  a sentence that says what it did instead
-std::expected<std::optional<wire::Revealed>, std::string> reveal(const Launch& launch, const Limits& limits);
+std::expected<std::optional<Revealed>, std::string> reveal(const Launch& launch, const Limits& limits);
 
 /// What an executable says of itself, with these settings.
 /// @errors  a sentence that says what it did instead

@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +17,7 @@
 
 #include "mlab/flow/network.h"
 #include "mlab/robot/process/conversation.h"
+#include "mlab/robot/process/member.h"
 #include "mlab/robot/process/serve.h"
 #include "mlab/robot/process/workings.h"
 #include "mlab/robot/wire/network_wire.h"
@@ -56,6 +59,7 @@ class Executable : public Conversation {
 
  private:
   bool reveals() const override { return !text_.is_closed; }
+  std::uint64_t source() const override { return text_.source; }
   void begin_sharing(robot_wire::Control& control) override { workings_.trace(control); }
   void answer_other(const wire::ToRobot& message) override {
     if (message.has_reveal() && reveals())
@@ -84,8 +88,10 @@ void print_help(const RobotProgramText& text, const flow::Program& program) {
       "A mission runs it: NEW-ROBOT {} \"./{}\", and mlab run --allow-native. It reads percepts from "
       "standard\n"
       "input and writes actions to standard output, as docs/robot_programs.md describes.\n\n"
+      "  ./{} --fleet alpha --name f1   lets runs of the fleet alpha have such robots computed here, until\n"
+      "                                 Ctrl-C; --name and what else mlab-agent takes may follow\n\n"
       "parameters\n",
-      text.name, text.version, text.name, text.name);
+      text.name, text.version, text.name, text.name, text.name);
   for (const flow::Port& port : program.ports()) {
     if (port.role != flow::Port::Role::kParameter) continue;
     const std::string value = flow::Program::print(program.initial_frame().data(), port);
@@ -97,9 +103,11 @@ void print_help(const RobotProgramText& text, const flow::Program& program) {
 }  // namespace
 
 int robot_main(int argc, char** argv, const RobotProgramText& text) {
-  const std::string_view word = argc > 1 ? argv[1] : "";
-  if (argc > 2 || (argc == 2 && word != "--help" && word != "--version")) {
-    fmt::print(stderr, "{}: takes no arguments but --help and --version\n", text.name);
+  const std::span<char* const> arguments(argv + 1, static_cast<std::size_t>(std::max(argc - 1, 0)));
+  if (names_fleet(arguments)) return become_member(text, arguments);
+  const std::string_view word = arguments.empty() ? "" : arguments[0];
+  if (arguments.size() > 1 || (arguments.size() == 1 && word != "--help" && word != "--version")) {
+    fmt::print(stderr, "{}: takes no arguments but --help, --version, and those of --fleet\n", text.name);
     return kMisused;
   }
   if (word == "--version") {

@@ -40,9 +40,12 @@ struct RobotProgramText {
     double value;  ///< [SI units]
   };
   std::initializer_list<BodySetting> body;
+  std::uint64_t source;  ///< hash of all that it was made from; the same on every machine
+  const char* agent;     ///< path of `mlab-agent` where it was made; empty: it is to be looked for
 };
 
-/// The `main` of a robot executable: builds the program, and serves it on standard input and output.
+/// The `main` of a robot executable: builds the program, and serves it on standard input and output. With
+/// `--fleet` it becomes an agent of that fleet, which carries robots of this program.
 /// @return  the exit status: 0 when its input has ended; 1 where that was in the middle of something; 2 where
 ///          it was called wrongly, or the program can't be built
 int robot_main(int argc, char** argv, const RobotProgramText& text);

@@ -31,7 +31,9 @@ void Speaker::answer_hello(const wire::Hello& hello) {
   welcome.set_protocol(robot_wire::kProtocol);
   welcome.set_name(name_);
   welcome.set_version(version_);
-  if (reveals()) welcome.set_layout(robot_wire::shared_layout());
+  if (!reveals()) return;
+  welcome.set_layout(robot_wire::shared_layout());
+  welcome.set_source(source());
 }
 
 void Speaker::answer_share(const wire::Share& share) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ class Speaker {
   virtual void answer_other(const wire::ToRobot& message) = 0;
   /// Whether it answers Reveal.
   virtual bool reveals() const { return false; }
+  /// Hash of all that it was made from; 0: that is not known.
+  virtual std::uint64_t source() const { return 0; }
   /// Cycles are shared from now on.
   virtual void begin_sharing(robot_wire::Control& /*control*/) {}
 

@@ -113,6 +113,12 @@ bool ExecutableRunner::take_over(Member member, const RobotProgram& after, bool 
   return true;
 }
 
+std::expected<Said, std::string> ExecutableRunner::said(Member member) {
+  const std::size_t process = members_[member].process;
+  if (process == kNoProcess || !processes_[process].running) return Said{};
+  return Said{{}, processes_[process].running->said()};
+}
+
 void ExecutableRunner::open() {
   for (Process& process : processes_) {
     process.cycle.mutable_cycle()->clear_robots();

@@ -40,6 +40,7 @@ class ExecutableRunner final : public ProgramRunner {
   void act(std::span<const Turn> turns) override;
   void ask() override;
   void wait(const Meanwhile& meanwhile) override;
+  std::expected<Said, std::string> said(Member member) override;
   Workings workings(Member /*member*/) const override { return {}; }
   flow::Frame save(Member /*member*/) const override { return {}; }
   bool restore(Member /*member*/, const flow::Frame& /*frame*/) override { return false; }

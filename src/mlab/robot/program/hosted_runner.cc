@@ -91,6 +91,12 @@ void HostedRunner::wait(const Meanwhile& meanwhile) {
   joined_.clear();
 }
 
+std::expected<Said, std::string> HostedRunner::said(Member member) {
+  const std::size_t process = members_[member].process;
+  if (process == kNoProcess || !processes_[process].cycle) return Said{};
+  return Said{{}, processes_[process].cycle->said()};
+}
+
 void HostedRunner::take(Robot& robot) {
   const Turn& turn = robot.turn;
   flow::Interventions* const interventions = robot.values.interventions();

@@ -36,6 +36,7 @@ class HostedRunner final : public ProgramRunner {
   std::optional<std::string> release(Member member, std::string_view port) override {
     return members_[member].values.release(port);
   }
+  std::expected<Said, std::string> said(Member member) override;
   bool take_over(Member member, const RobotProgram& after, bool /*is_running*/) override {
     return members_[member].values.take_over(after);
   }

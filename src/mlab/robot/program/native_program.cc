@@ -109,11 +109,12 @@ std::expected<std::optional<RevealedProgram>, std::string> load_revealed_program
   const auto revealed = robot_host::reveal(hosted.launch, hosted.limits);
   if (!revealed) return std::unexpected(revealed.error());
   if (!*revealed) return std::nullopt;
-  auto built = host_revealed(**revealed, std::move(hosted));
+  const auto& [how, source] = **revealed;
+  hosted.source = source;
+  auto built = host_revealed(how, std::move(hosted));
   if (!built) return std::unexpected(built.error());
-  return RevealedProgram{std::move(*built),
-                         robot_wire::decode((*revealed)->network()),
-                         {(*revealed)->body().begin(), (*revealed)->body().end()}};
+  return RevealedProgram{
+      std::move(*built), robot_wire::decode(how.network()), {how.body().begin(), how.body().end()}, source};
 }
 
 std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::Place& place,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <expected>
 #include <map>
 #include <optional>
@@ -34,6 +35,7 @@ struct RevealedProgram {
   BuiltProgram built;
   flow::Network network;
   std::map<std::string, double> body;  ///< as RobotProgram has it
+  std::uint64_t source = 0;            ///< as ExecutableOrigin
 };
 /// Starts the executable of that name to ask how it is made.
 /// @param wall  of its cell

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <expected>
 #include <functional>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "mlab/percept/needs.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot/program/robot_program.h"
+#include "mlab/robot/program/said.h"
 
 namespace mlab::robot {
 
@@ -132,6 +134,9 @@ class ProgramRunner {
 
   /// The machine that carries the robot; empty: this one.
   virtual std::string machine(Member /*member*/) const { return ""; }
+  /// What was said there, as far as it is kept. Between two cycles.
+  /// @errors  a sentence: the machine can't be asked
+  virtual std::expected<Said, std::string> said(Member /*member*/) { return Said{}; }
   /// By any call of the thread that the runner belongs to, also while it waits.
   virtual std::vector<SilentMachine> silent_machines() const { return {}; }
   /// So long nothing has been heard of the robot's program [s]; 0: it is waited for, or was heard in time.

@@ -28,7 +28,7 @@ ProgramRunners::ProgramRunners(std::uint64_t seed, int processes, std::unique_pt
 ProgramRunner* ProgramRunners::runner_of(const RobotProgram& program) const {
   if (program.native) return all_[2].get();
   if (!program.program) return nullptr;
-  if (all_.size() > 3 && program.origin) return all_[3].get();
+  if (all_.size() > 3 && (program.origin || program.executable)) return all_[3].get();
   return (program.hosted ? all_[1] : all_[0]).get();
 }
 

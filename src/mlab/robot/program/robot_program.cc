@@ -196,6 +196,7 @@ void take_built(const RobotProgram& built, RobotProgram& robot) {
   robot.reports = built.reports;
   robot.places = built.places;
   robot.origin = built.origin;
+  robot.executable = built.executable;
 }
 
 // An executable outside of the project is started for nobody.
@@ -245,6 +246,15 @@ void warn_of_unknown(std::string_view name, const text::Place& place, text::Diag
                  "`robot` is the standard robot; a network or a configuration is named by its file: "
                  "`mine.cnl`, `mine.cdl`",
                  sink);
+}
+
+void take_revealed(RevealedProgram revealed, RobotProgram& robot) {
+  robot.reports = may_report(revealed.network);
+  robot.places = places_of(revealed.network);
+  robot.program = std::move(revealed.built.program);
+  robot.hosted = std::move(revealed.built.hosted);
+  robot.body = std::move(revealed.body);
+  robot.executable = {last_part(robot.name), revealed.source};
 }
 
 }  // namespace
@@ -300,10 +310,7 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     }
     if (!*revealed)
       return load_native_program(std::move(robot), place, settings, *wall, sources, known_keys, sink);
-    robot.reports = may_report((*revealed)->network);
-    robot.places = places_of((*revealed)->network);
-    take(std::move((*revealed)->built));
-    robot.body = std::move((*revealed)->body);
+    take_revealed(std::move(**revealed), robot);
   } else {
     warn_of_unknown(name, place, sink);
     return robot;
@@ -312,6 +319,25 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
   set_values({settings, sources.places, place}, known_keys, robot, sink);
   if (sink.error_count() > errors_before) return std::nullopt;
   return robot;
+}
+
+std::expected<RobotProgram, std::string> load_offered(const std::string& path,
+                                                      const ProgramSources& sources) {
+  RobotProgram out;
+  out.name = path;
+  if (!is_executable(path, sources)) return std::unexpected("is no executable file");
+  const auto wall = sources.permission.to_start(path);
+  if (!wall) return std::unexpected(wall.error());
+  auto revealed = load_revealed_program(path, *wall, sources);
+  if (!revealed) return std::unexpected("is no robot program: it " + revealed.error());
+  if (!*revealed)
+    return std::unexpected(fmt::format(
+        "was not made by mlab build of missionlab {}, or is closed: only what shows how it is made can take "
+        "part",
+        sources.version));
+  take_revealed(std::move(**revealed), out);
+  out.initial = out.program->make_frame();
+  return out;
 }
 
 }  // namespace mlab::robot

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <expected>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,6 +41,12 @@ struct ProgramOrigin {
   std::vector<text::SourcePtr> texts;  ///< all that were read
 };
 
+/// The executable that a program is in, one that `mlab build` made: what tells it from others on any machine.
+struct ExecutableOrigin {
+  std::string name;          ///< of its file, for people
+  std::uint64_t source = 0;  ///< hash of all that it was made from
+};
+
 /// A parameter that is a named place of the mission, where the mission does not set it.
 struct PlaceParameter {
   std::string path;   ///< of the parameter
@@ -74,6 +82,7 @@ struct RobotProgram {
   std::shared_ptr<const NativeProgram> native = nullptr;  ///< runs in processes of its own; then no `program`
 
   std::shared_ptr<const ProgramOrigin> origin = nullptr;  ///< null: it is in an executable
+  std::optional<ExecutableOrigin> executable = {};  ///< nothing: it is in none, or in one that is closed
   std::string host = {};  ///< machine whose agent may carry such robots, as the mission says; empty: any
 
   std::vector<PlaceParameter> places = {};  ///< what `place("Gate")` of a configuration became
@@ -124,6 +133,11 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
                                          std::span<const Setting> settings, const ProgramSources& sources,
                                          const std::vector<std::string>& known_keys, text::Diagnostics& sink,
                                          const RobotProgram* built = nullptr, std::string_view type = {});
+
+/// The program of an executable that its owner wants robots computed with on this machine.
+/// @param sources  whose permission allows executables to be started
+/// @errors  what it is instead, as a sentence about it
+std::expected<RobotProgram, std::string> load_offered(const std::string& path, const ProgramSources& sources);
 
 /// How the files of programs are read: as `sources` says, and nothing outside of the project, by whatever
 /// name or link.

@@ -1,6 +1,7 @@
 #include "mlab/robot/remote/agent.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -24,8 +25,15 @@ Clock::time_point from_now(double seconds) {
 
 }  // namespace
 
-Agent::Agent(std::string name, std::unique_ptr<Link> link, Patience patience)
-    : name_(std::move(name)), link_(std::move(link)), patience_(patience) {}
+Agent::Agent(std::string name, std::unique_ptr<Link> link, Patience patience,
+             std::optional<robot::ExecutableOrigin> offered)
+    : name_(std::move(name)), link_(std::move(link)), patience_(patience), offered_(std::move(offered)) {}
+
+bool Agent::may_carry(const robot::RobotProgram& program) const {
+  if (!program.host.empty() && program.host != name_) return false;
+  const auto source = [](const auto& executable) { return executable ? executable->source : 0; };
+  return source(offered_) == source(program.executable);
+}
 
 Agent::~Agent() {
   constexpr double kPatience = 1.0;  // an agent that does not hear it gives the run up by itself [s]
@@ -124,19 +132,21 @@ std::optional<std::string> Agent::open(std::uint64_t seed, const std::string& ve
 
 std::expected<std::uint32_t, std::string> Agent::bring(const robot::RobotProgram& program) {
   if (const auto known = brought_.find(program.program); known != brought_.end()) return known->second;
-  if (!program.origin)
-    return std::unexpected("is an executable, which no agent starts: start it there, by hand");
   wire::ToAgent message;
   wire::Bring& bring = *message.mutable_bring();
   const auto number = static_cast<std::uint32_t>(brought_.size() + 1);
   bring.set_program(number);
   bring.set_name(program.name);
   bring.set_type(program.type);
-  bring.set_folder(program.origin->folder);
-  for (const text::SourcePtr& source : program.origin->texts) {
-    wire::ProgramText& text = *bring.add_texts();
-    text.set_path(source->name());
-    text.set_text(std::string(source->text()));
+  if (program.executable) {
+    bring.set_executable(program.executable->source);
+  } else {
+    bring.set_folder(program.origin->folder);
+    for (const text::SourcePtr& source : program.origin->texts) {
+      wire::ProgramText& text = *bring.add_texts();
+      text.set_path(source->name());
+      text.set_text(std::string(source->text()));
+    }
   }
   bring.set_frame_layout(program.program->layout_hash());
   const auto answer = ask(message, wire::FromAgent::kBrought, patience_.program);
@@ -144,6 +154,22 @@ std::expected<std::uint32_t, std::string> Agent::bring(const robot::RobotProgram
   if (!answer && link_->is_cut()) return std::unexpected(answer.error());  // another time
   if (!answer) out = std::unexpected(answer.error());
   return brought_.emplace(program.program, std::move(out)).first->second;
+}
+
+std::expected<robot::Said, std::string> Agent::said(std::uint32_t member) {
+  constexpr std::size_t kLine = 400;        // characters
+  constexpr std::size_t kProgram = 10'000;  // of what a program wrote
+  wire::ToAgent message;
+  message.mutable_read_log()->set_member(member);
+  const auto answer = ask(message, wire::FromAgent::kLog);
+  if (!answer) return std::unexpected(answer.error());
+  const wire::AgentLog& log = (*answer)->log();
+  robot::Said out;
+  for (const wire::AgentLogLine& line : log.lines())
+    out.machine.push_back(
+        {std::isfinite(line.age()) ? std::max(line.age(), 0.0) : 0.0, text::shown(line.text(), kLine)});
+  out.program = log.program().substr(0, kProgram);
+  return out;
 }
 
 void Agent::send_cycle(wire::ToAgent& message) {

@@ -28,14 +28,19 @@ struct Patience {
 /// that.
 class Agent {
  public:
-  /// @param name  of its machine, for people
-  Agent(std::string name, std::unique_ptr<Link> link, Patience patience = {});
+  /// @param name     of its machine, for people
+  /// @param offered  the executable whose robots it carries, and no others; nothing: those that are built
+  ///                 from text
+  Agent(std::string name, std::unique_ptr<Link> link, Patience patience = {},
+        std::optional<robot::ExecutableOrigin> offered = std::nullopt);
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;
   /// In real time it is told, where it can be heard.
   ~Agent();
 
   const std::string& name() const { return name_; }
+  /// May carry robots of that program.
+  bool may_carry(const robot::RobotProgram& program) const;
   /// As Link::silence.
   double silence() const { return link_->silence(); }
   double patience_with_silence() const { return link_->patience_with_silence(); }
@@ -50,6 +55,11 @@ class Agent {
   /// @return  how the agent calls it
   /// @errors  a sentence
   std::expected<std::uint32_t, std::string> bring(const robot::RobotProgram& program);
+
+  static constexpr std::uint32_t kNoMember = 0;  ///< number of no robot
+  /// Its log, and what the program of that robot wrote; also before `open`.
+  /// @errors  a sentence
+  std::expected<robot::Said, std::string> said(std::uint32_t member);
 
   /// The answer to a message. Valid until the next call.
   /// @errors  why there is none, as a sentence
@@ -76,6 +86,7 @@ class Agent {
   std::unique_ptr<Link> link_;
   std::shared_ptr<LiveLine> live_;
   Patience patience_;
+  std::optional<robot::ExecutableOrigin> offered_;
   std::uint64_t number_ = 0;
   // Kept alive by their keys, so that no other program comes to have the address of one of them.
   std::map<std::shared_ptr<const flow::Program>, std::expected<std::uint32_t, std::string>> brought_;

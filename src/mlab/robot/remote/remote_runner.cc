@@ -32,10 +32,10 @@ std::span<const std::byte> bytes_of(const flow::Frame& frame) {
 robot::ProgramRunner::Member RemoteRunner::add(base::RobotId robot, const robot::RobotProgram& program) {
   Robot added;
   added.values = {robot, program};
-  welcome(program.host);
+  welcome(program);
   // Now, so that nobody waits for a compiler once the run is under way; who starts it is told what is wrong.
   for (Carrier& carrier : carriers_) {
-    if (may_carry(carrier, program.host)) static_cast<void>(carrier.agent->bring(program).has_value());
+    if (carrier.agent->may_carry(program)) static_cast<void>(carrier.agent->bring(program).has_value());
   }
   return members_.add(std::move(added));
 }
@@ -52,28 +52,25 @@ void RemoteRunner::leave(Robot& robot) {
   robot.carrier = nullptr;
 }
 
-bool RemoteRunner::may_carry(const Carrier& carrier, const std::string& host) {
-  return host.empty() || carrier.agent->name() == host;
-}
-
 // Why there may be none.
-std::string RemoteRunner::welcome(const std::string& host) {
+std::string RemoteRunner::welcome(const robot::RobotProgram& program) {
   std::vector<std::string> lost;
   for (Carrier& carrier : carriers_) {
     if (carrier.is_given_up || carrier.agent->failure().empty()) continue;
     carrier.is_given_up = true;
     lost.push_back(carrier.agent->name());
   }
-  Newcomers newcomers = recruit_(host, lost);
+  Newcomers newcomers = recruit_(program, lost);
   for (auto& agent : newcomers.agents) carriers_.push_back({std::move(agent), 0, {}, {}, false});
   return std::move(newcomers.why_none);
 }
 
-std::expected<RemoteRunner::Carrier*, std::string> RemoteRunner::carrier_for(const std::string& host) {
+std::expected<RemoteRunner::Carrier*, std::string> RemoteRunner::carrier_for(
+    const robot::RobotProgram& program) {
   Carrier* best = nullptr;
-  std::string failure = welcome(host);
+  std::string failure = welcome(program);
   for (Carrier& carrier : carriers_) {
-    if (!may_carry(carrier, host)) continue;
+    if (!carrier.agent->may_carry(program)) continue;
     if (std::string what = carrier.agent->failure(); !what.empty())
       failure = std::move(what);
     else if (best == nullptr || carrier.robots < best->robots)
@@ -103,7 +100,7 @@ std::optional<std::string> RemoteRunner::start(Member member) {
 // Where it fails together with the agent, the robot has that agent all the same.
 std::optional<std::string> RemoteRunner::enlist(Robot& robot) {
   const robot::RobotProgram& program = robot.values.robot_program();
-  const auto carrier = carrier_for(program.host);
+  const auto carrier = carrier_for(program);
   if (!carrier) return carrier.error();
   Agent& agent = *(*carrier)->agent;
   const auto brought = agent.bring(program);
@@ -241,6 +238,15 @@ bool RemoteRunner::restore(Member member, const flow::Frame& frame) {
 std::string RemoteRunner::machine(Member member) const {
   const Carrier* const carrier = members_[member].carrier;
   return carrier != nullptr ? carrier->agent->name() : std::string();
+}
+
+std::expected<robot::Said, std::string> RemoteRunner::said(Member member) {
+  const Robot& robot = members_[member];
+  if (robot.carrier == nullptr) return robot::Said{};
+  if (is_in_cycle_) return std::unexpected("can't be asked while a cycle is waited for");
+  if (const double silent = robot.carrier->agent->silence(); silent > 0.0)
+    return std::unexpected(fmt::format("has been silent for {:.0f} s", silent));
+  return robot.carrier->agent->said(robot.number);
 }
 
 std::vector<robot::SilentMachine> RemoteRunner::silent_machines() const {

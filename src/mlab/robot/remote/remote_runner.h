@@ -19,7 +19,8 @@ namespace mlab::robot_remote {
 /// them here is fetched when somebody looks, and comes with the actions as long as somebody does.
 ///
 /// A robot whose program names a host goes to the agent of that name, any other to the one with the fewest.
-/// One whose agent fails has failed; started again, it goes to another agent.
+/// One whose program is an executable goes to agents that offer this executable, and only those go there. One
+/// whose agent fails has failed; started again, it goes to another agent.
 class RemoteRunner : public robot::ProgramRunner {
  public:
   struct Newcomers {
@@ -27,11 +28,12 @@ class RemoteRunner : public robot::ProgramRunner {
     std::string why_none;                        ///< why there may be none, a sentence for a person
   };
   /// Says which agents have joined since it was asked last.
-  /// @param host  of the robot that wants one; empty: it does not matter
+  /// @param program  of the robot that wants one
   /// @param lost  names of those that were given out and have failed since it was asked last: if they are
   /// there,
   ///              they may be given out again
-  using Recruit = std::function<Newcomers(const std::string& host, const std::vector<std::string>& lost)>;
+  using Recruit =
+      std::function<Newcomers(const robot::RobotProgram& program, const std::vector<std::string>& lost)>;
   explicit RemoteRunner(Recruit recruit) : recruit_(std::move(recruit)) {}
 
   Member add(base::RobotId robot, const robot::RobotProgram& program) override;
@@ -48,6 +50,7 @@ class RemoteRunner : public robot::ProgramRunner {
   void ask() override;
   void wait(const robot::Meanwhile& meanwhile) override;
   std::string machine(Member member) const override;
+  std::expected<robot::Said, std::string> said(Member member) override;
   std::vector<robot::SilentMachine> silent_machines() const override;
   robot::Workings workings(Member member) const override;
   robot::RobotValues* values(Member member) override;
@@ -86,9 +89,8 @@ class RemoteRunner : public robot::ProgramRunner {
   bool is_in_cycle_ = false;  // agents are asked for one, and for nothing else until they have answered
 
  private:
-  static bool may_carry(const Carrier& carrier, const std::string& host);
-  std::string welcome(const std::string& host);
-  std::expected<Carrier*, std::string> carrier_for(const std::string& host);
+  std::string welcome(const robot::RobotProgram& program);
+  std::expected<Carrier*, std::string> carrier_for(const robot::RobotProgram& program);
   void leave(Robot& robot);
   std::optional<std::string> enlist(Robot& robot);
   std::optional<std::string> put(Robot& robot, bool begins) const;

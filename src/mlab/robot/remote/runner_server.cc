@@ -59,11 +59,10 @@ bool is_built_from_text(const std::string& name) {
 
 }  // namespace
 
-RunnerServer::RunnerServer(robot::ProgramSources sources, std::function<bool()> is_stopped)
-    : sources_(std::move(sources)), is_stopped_(std::move(is_stopped)) {
+RunnerServer::RunnerServer(AgentTerms terms) : terms_(std::move(terms)) {
   // What arrives may be anything: no frame that came from elsewhere is stepped in this process.
-  sources_.in_own_processes = true;
-  sources_.came_from_elsewhere = true;
+  terms_.sources.in_own_processes = true;
+  terms_.sources.came_from_elsewhere = true;
 }
 
 std::string_view RunnerServer::answer(std::string_view message, const robot::Meanwhile& meanwhile) {
@@ -85,7 +84,7 @@ void RunnerServer::refuse(std::string why) {
 }
 
 void RunnerServer::answer_body(const wire::ToAgent& message, const robot::Meanwhile& meanwhile) {
-  if (!runners_ && !message.has_open()) {
+  if (!runners_ && !message.has_open() && !message.has_read_log()) {
     refuse("no run has opened this conversation");
     answer_.mutable_refusal()->set_is_unknown(true);
     return;
@@ -119,6 +118,9 @@ void RunnerServer::answer_body(const wire::ToAgent& message, const robot::Meanwh
       has_left_ = true;
       answer_.mutable_done();
       break;
+    case wire::ToAgent::kReadLog:
+      read_log(message.read_log());
+      break;
     case wire::ToAgent::BODY_NOT_SET:
       refuse("a message of a kind that this agent does not know");
       break;
@@ -132,10 +134,10 @@ void RunnerServer::open(const wire::Open& message) {
   }
   wire::Opened& opened = *answer_.mutable_opened();
   opened.set_protocol(kAgentProtocol);
-  opened.set_version(sources_.version);
+  opened.set_version(terms_.sources.version);
   opened.set_layout(robot_wire::shared_layout());
   // A run of another version is told so by this, and says no more.
-  const bool is_same = message.protocol() == kAgentProtocol && message.version() == sources_.version &&
+  const bool is_same = message.protocol() == kAgentProtocol && message.version() == terms_.sources.version &&
                        message.layout() == robot_wire::shared_layout();
   if (!is_same) return;
   if (message.period() != 0.0 &&
@@ -152,20 +154,8 @@ void RunnerServer::bring(const wire::Bring& message) {
     refuse("there is a program of that number, or there are too many");
     return;
   }
-  if (!is_built_from_text(message.name())) {
-    refuse(fmt::format("`{}` is no program that can be brought", text::shown(message.name(), 200)));
-    return;
-  }
-  const BroughtTexts texts(message);
-  robot::ProgramSources sources = sources_;
-  sources.folder = message.folder();
-  sources.files = &texts.files();
-  text::Diagnostics sink;
-  auto program = robot::load_program(message.name(), {}, {}, sources, {}, sink, nullptr, message.type());
-  if (!program || !program->program) {
-    refuse(fmt::format("`{}` can't be built: {}", text::shown(message.name(), 200), text::render(sink)));
-    return;
-  }
+  auto program = build(message);
+  if (!program) return;
   if (!program->hosted) {
     refuse("this agent may start no processes for robots");
     return;
@@ -176,6 +166,35 @@ void RunnerServer::bring(const wire::Bring& message) {
   }
   programs_[message.program()] = std::make_unique<const robot::RobotProgram>(std::move(*program));
   answer_.mutable_brought();
+}
+
+// Nothing: it was refused.
+std::optional<robot::RobotProgram> RunnerServer::build(const wire::Bring& message) {
+  if ((message.executable() != 0) != !terms_.offered.empty()) {
+    refuse(terms_.offered.empty() ? "no executable is offered here"
+                                  : "robots of one executable are carried here, and no others");
+    return std::nullopt;
+  }
+  if (!terms_.offered.empty()) {
+    auto program = robot::load_offered(terms_.offered, terms_.sources);
+    if (program && program->executable->source == message.executable()) return std::move(*program);
+    refuse(program ? "its executable is another version of that program"
+                   : fmt::format("its executable {}", program.error()));
+    return std::nullopt;
+  }
+  if (!is_built_from_text(message.name())) {
+    refuse(fmt::format("`{}` is no program that can be brought", text::shown(message.name(), 200)));
+    return std::nullopt;
+  }
+  const BroughtTexts texts(message);
+  robot::ProgramSources sources = terms_.sources;
+  sources.folder = message.folder();
+  sources.files = &texts.files();
+  text::Diagnostics sink;
+  auto program = robot::load_program(message.name(), {}, {}, sources, {}, sink, nullptr, message.type());
+  if (program && program->program) return program;
+  refuse(fmt::format("`{}` can't be built: {}", text::shown(message.name(), 200), text::render(sink)));
+  return std::nullopt;
 }
 
 RunnerServer::Robot* RunnerServer::known(std::uint32_t number) {
@@ -271,6 +290,21 @@ void RunnerServer::change(const wire::Change& message) {
 void RunnerServer::look(const wire::Look& message) {
   const Robot* const robot = known(message.member());
   if (robot != nullptr) put_state(*robot, *answer_.mutable_seen()->mutable_state());
+}
+
+void RunnerServer::read_log(const wire::ReadLog& message) {
+  Robot* const robot = message.member() == Agent::kNoMember ? nullptr : known(message.member());
+  if (answer_.has_refusal()) return;
+  wire::AgentLog& log = *answer_.mutable_log();
+  if (terms_.log) {
+    for (const robot::LogLine& line : terms_.log()) {
+      wire::AgentLogLine& out = *log.add_lines();
+      out.set_age(line.age);
+      out.set_text(line.text);
+    }
+  }
+  if (robot == nullptr) return;
+  if (const auto said = robot->runner->said(robot->member)) log.set_program(said->program);
 }
 
 RunnerServer::Part& RunnerServer::part(std::size_t place) {

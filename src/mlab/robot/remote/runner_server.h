@@ -14,20 +14,30 @@
 #include "mlab/agent.pb.h"
 #include "mlab/robot/program/program_runners.h"
 #include "mlab/robot/program/robot_program.h"
+#include "mlab/robot/program/said.h"
 #include "mlab/robot/remote/live_line.h"
 #include "mlab/robot/remote/live_robot.h"
 #include "mlab/robot/wire/percepts_wire.h"
 
 namespace mlab::robot_remote {
 
+/// What an agent lets runs do.
+struct AgentTerms {
+  robot::ProgramSources sources;  ///< what of code that a run brings may be compiled and run, by what means
+  std::string offered = {};       ///< path of the executable whose robots it carries, and no others; empty:
+                                  ///< those that are built from what the run brings
+  /// An emergency stop holds: no robot drives, whatever its program says; by any thread. Empty: none ever
+  /// does.
+  std::function<bool()> is_stopped = {};
+  /// What the agent told last, oldest first; by any thread. Empty: nothing is kept.
+  std::function<std::vector<robot::LogLine>()> log = {};
+};
+
 /// The agent's side of the conversation with one run: builds the programs that the run brings, and has its
 /// robots computed, each in a process of its own. All of them end with this object.
 class RunnerServer {
  public:
-  /// @param sources     what of code that a run brings may be compiled and run here, and by what means
-  /// @param is_stopped  an emergency stop holds: no robot drives, whatever its program says; by any thread.
-  ///                    Empty: none ever does
-  explicit RunnerServer(robot::ProgramSources sources, std::function<bool()> is_stopped = {});
+  explicit RunnerServer(AgentTerms terms);
 
   /// Does what a message asks for. Anything may arrive.
   /// @param meanwhile  asked again and again while robots are waited for, may be empty; true: nobody waits
@@ -79,6 +89,7 @@ class RunnerServer {
   void answer_body(const wire::ToAgent& message, const robot::Meanwhile& meanwhile);
   void open(const wire::Open& message);
   void bring(const wire::Bring& message);
+  std::optional<robot::RobotProgram> build(const wire::Bring& message);
   void enlist(const wire::Enlist& message);
   void dismiss(const wire::Dismiss& message);
   void put(const wire::Put& message);
@@ -89,7 +100,8 @@ class RunnerServer {
   Part& part(std::size_t place);
   std::span<const std::unique_ptr<Part>> run_parts(std::size_t count, const robot::Meanwhile& meanwhile);
   void put_action(const Part& part, wire::AgentAction& out) const;
-  bool is_stopped() const { return is_stopped_ && is_stopped_(); }
+  void read_log(const wire::ReadLog& message);
+  bool is_stopped() const { return terms_.is_stopped && terms_.is_stopped(); }
   void let_stand(std::uint32_t number, Robot& robot, Clock::time_point now, const Publish& publish);
   void publish_live(const Part& part, Clock::time_point now, const Publish& publish);
   void refuse(std::string why);
@@ -97,8 +109,7 @@ class RunnerServer {
   void put_needs(const Robot& robot, wire::Needs& out) const;
   static void put_state(const Robot& robot, wire::RobotState& out);
 
-  robot::ProgramSources sources_;
-  std::function<bool()> is_stopped_;
+  AgentTerms terms_;
   std::unique_ptr<robot::ProgramRunners> runners_;  // null: no run has opened
   std::map<std::uint32_t, std::unique_ptr<const robot::RobotProgram>> programs_;
   std::map<std::uint32_t, Robot> robots_;

@@ -1,0 +1,73 @@
+#include "mlab/robot/process/member.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <fmt/core.h>
+
+namespace mlab::robot_process {
+namespace {
+
+constexpr int kNoMember = 2;
+constexpr const char* kAgent = "mlab-agent";
+
+// Where it may be, in the order in which it is looked for.
+std::vector<std::string> places_of_agent(const char* made_with) {
+  if (const char* named = std::getenv("MLAB_AGENT"); named != nullptr && *named != '\0') return {named};
+  std::vector<std::string> out;
+  const char* const path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
+    if (!folder.empty()) out.push_back(fmt::format("{}/{}", folder, kAgent));
+  }
+  if (*made_with != '\0') out.emplace_back(made_with);
+  return out;
+}
+
+}  // namespace
+
+bool names_fleet(std::span<char* const> arguments) {
+  return std::ranges::any_of(arguments, [](const char* argument) {
+    const std::string_view word = argument;
+    return word == "--fleet" || word.starts_with("--fleet=");
+  });
+}
+
+int become_member(const RobotProgramText& text, std::span<char* const> arguments) {
+  if (text.is_closed) {
+    fmt::print(stderr, "{}: is closed (mlab build --closed), and a run has to see how a member is made\n",
+               text.name);
+    return kNoMember;
+  }
+  std::error_code failure;
+  std::string self = std::filesystem::read_symlink("/proc/self/exe", failure).string();
+  std::string name = kAgent;
+  std::string offer = "--offer";
+  std::vector<char*> words = {name.data(), offer.data(), self.data()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  words.push_back(nullptr);
+  std::string why;
+  for (const std::string& place : places_of_agent(text.agent)) {
+    ::execv(place.c_str(), words.data());
+    if (errno != ENOENT && errno != ENOTDIR && why.empty())
+      why = fmt::format("; {}: {}", place, std::generic_category().message(errno));
+  }
+  fmt::print(stderr,
+             "{}: --fleet needs mlab-agent, of the package missionlab-agent, which is not there: MLAB_AGENT "
+             "says where it is{}\n",
+             text.name, why);
+  return kNoMember;
+}
+
+}  // namespace mlab::robot_process

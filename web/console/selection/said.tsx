@@ -1,0 +1,47 @@
+import { useState } from "react";
+import type { Said } from "../../core/protocol.ts";
+import { Button } from "../../ui/controls/controls.tsx";
+import { sentence } from "../../ui/words/sentence.ts";
+import { useSession } from "../session/session.ts";
+
+/** What a robot's program and the agent of its machine said last, read when somebody asks. */
+export function SaidThere({ robot, machine }: { robot: number; machine: string }) {
+  const { connection } = useSession();
+  const [said, setSaid] = useState<Said | undefined>();
+  const [readAt, setReadAt] = useState(0);
+  const [problem, setProblem] = useState("");
+  const read = async () => {
+    const reply = await connection.ask({ case: "readSaid", value: { robot } });
+    setProblem(reply.ok ? "" : sentence(reply.error));
+    if (reply.result.case !== "said") return;
+    setSaid(reply.result.value);
+    setReadAt(Date.now());
+  };
+  return (
+    <section className="rows said" aria-label="Messages">
+      <Button onPress={() => void read()}>{said ? "Read messages again" : "Read messages"}</Button>
+      {problem && <p className="notice danger">{problem}</p>}
+      {said && (
+        <>
+          <h3>Its program</h3>
+          {said.program ? (
+            <pre className="mono">{said.program}</pre>
+          ) : (
+            <p className="muted">It has written nothing to standard error.</p>
+          )}
+          <h3>{machine ? `The agent on ${machine}` : "Its machine"}</h3>
+          {said.machine.length > 0 ? (
+            <pre className="mono">{said.machine.map((line) => lineText(line, readAt)).join("\n")}</pre>
+          ) : (
+            <p className="muted">{machine ? "It has told nothing." : "It is computed where the run is."}</p>
+          )}
+        </>
+      )}
+    </section>
+  );
+}
+
+/** `14:03:12  a run has begun`, by the clock of who reads it. */
+function lineText(line: { age: number; text: string }, readAt: number): string {
+  return `${new Date(readAt - line.age * 1000).toLocaleTimeString([], { hour12: false })}  ${line.text}`;
+}
