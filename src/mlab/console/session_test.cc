@@ -444,7 +444,7 @@ TEST(Session, WhoOnlyWatchesIsRefusedAllThatIsTheOperators) {
   const std::set<std::string> for_anybody = {
       "hello",         "acknowledge",     "watch",      "beat",        "emergency_stop",
       "complete",      "check",           "list_files", "read_series", "take_operator",
-      "pass_operator", "find_definition", "find_uses",  "read_text"};
+      "pass_operator", "find_definition", "find_uses",  "read_text",   "read_said"};
   const google::protobuf::OneofDescriptor& all = *ToServer::descriptor()->FindOneofByName("body");
   for (int i = 0; i < all.field_count(); ++i) {
     if (for_anybody.contains(all.field(i)->name())) continue;

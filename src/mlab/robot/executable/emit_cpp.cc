@@ -199,16 +199,15 @@ Brought brought_by(const RobotSource& robot) {
   return out;
 }
 
-// What the program does depends on this, and not on where it was written or compiled: whoever has the same
-// number has the same program.
-std::uint64_t source_hash(const RobotSource& robot, std::string_view main,
-                          const std::vector<CppFile>& others) {
-  std::uint64_t out = base::hash_text(main);
-  for (const CppFile& file : others) {
-    out = base::hash_text(file.name, out);
-    out = base::hash_text(file.procedures ? file.procedures->source->text() : file.text, out);
-  }
-  return base::combine_bits(out, base::hash_text(robot.version));
+std::string source_name(const CppFile& file) {
+  return "robot_source_" + file.name;
+}
+
+// Each file knows what it was made from, so that a change of one is a change of no other.
+void add_source(CppFile& file) {
+  const std::string_view made_from = file.procedures ? file.procedures->source->text() : file.text;
+  file.text += fmt::format("\nextern const std::uint64_t {0};\nconst std::uint64_t {0} = 0x{1:016x};\n",
+                           source_name(file), base::hash_text(made_from));
 }
 
 CppFile main_file(const RobotSource& robot, const Grouping& grouping, const std::vector<CppFile>& others) {
@@ -222,6 +221,8 @@ CppFile main_file(const RobotSource& robot, const Grouping& grouping, const std:
       robot.name, robot.origin);
   const Brought brought = brought_by(robot);
   text += brought.functions;
+  for (const CppFile& file : others)
+    text += fmt::format("extern const std::uint64_t {};\n", source_name(file));
   text += "\nnamespace robot_program {\n\nusing namespace mlab::robot_process;\n\n";
   std::string functions;
   for (const Group& group : grouping.groups) {
@@ -249,8 +250,10 @@ CppFile main_file(const RobotSource& robot, const Grouping& grouping, const std:
       "          .body = {{{}}},\n",
       cpp_string(robot.name), cpp_string(robot.version), functions, order, brought.names,
       brought.declarations, robot.is_closed, body);
-  text += fmt::format("          .source = 0x{:016x},\n          .agent = {},\n      }});\n}}\n",
-                      source_hash(robot, text, others), cpp_string(robot.agent));
+  std::string sources = fmt::format("0x{:016x}", base::hash_text(text));
+  for (const CppFile& file : others) sources += ", " + source_name(file);
+  text += fmt::format("          .sources = {{{}}},\n          .agent = {},\n      }});\n}}\n", sources,
+                      cpp_string(robot.agent));
   return out;
 }
 
@@ -265,6 +268,7 @@ std::vector<CppFile> emit_cpp(const RobotSource& robot) {
     out.push_back({"procedures_" + stem, cnl::generate(*tree, {stem + ".cnl.cc", false}), tree});
   }
   for (const Group& one : grouping.groups) out.push_back(group_file(robot, one));
+  for (CppFile& file : out) add_source(file);
   out.insert(out.begin(), main_file(robot, grouping, out));
   return out;
 }

@@ -58,6 +58,9 @@ TEST(EmitCpp, WritesAFileForEachPartThatAPersonCanRead) {
 #include "mlab/robot/process/robot_main.h"
 
 std::span<const mlab::flow::Behavior* const> mlab_library_behaviors();
+extern const std::uint64_t robot_source_nodes_Walk;
+extern const std::uint64_t robot_source_nodes_Stand;
+extern const std::uint64_t robot_source_nodes_top;
 
 namespace robot_program {
 
@@ -91,6 +94,8 @@ int main(int argc, char** argv) {
           .declarations = {},
           .is_closed = false,
           .body = {{"radius", 0.35}},
+          .sources = {0x9c818f110b4615df, robot_source_nodes_Walk, robot_source_nodes_Stand, robot_source_nodes_top},
+          .agent = "",
       });
 }
 )");
@@ -118,6 +123,9 @@ void add_top(Wiring& w) {
 }
 
 }  // namespace robot_program
+
+extern const std::uint64_t robot_source_nodes_top;
+const std::uint64_t robot_source_nodes_top = 0xb34e1f2696911ee0;
 )");
 }
 

@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 #include <google/protobuf/stubs/logging.h>
 
+#include "mlab/base/hash.h"
 #include "mlab/flow/network.h"
 #include "mlab/robot/process/conversation.h"
 #include "mlab/robot/process/member.h"
@@ -59,7 +60,11 @@ class Executable : public Conversation {
 
  private:
   bool reveals() const override { return !text_.is_closed; }
-  std::uint64_t source() const override { return text_.source; }
+  std::uint64_t source() const override {
+    std::uint64_t out = 0;
+    for (const std::uint64_t one : text_.sources) out = base::combine_bits(out, one);
+    return out;
+  }
   void begin_sharing(robot_wire::Control& control) override { workings_.trace(control); }
   void answer_other(const wire::ToRobot& message) override {
     if (message.has_reveal() && reveals())

@@ -40,8 +40,9 @@ struct RobotProgramText {
     double value;  ///< [SI units]
   };
   std::initializer_list<BodySetting> body;
-  std::uint64_t source;  ///< hash of all that it was made from; the same on every machine
-  const char* agent;     ///< path of `mlab-agent` where it was made; empty: it is to be looked for
+  std::initializer_list<std::uint64_t> sources;  ///< hashes of all that it was made from, the same on every
+                                                 ///< machine: of this text, and of the files in their order
+  const char* agent;  ///< path of `mlab-agent` where it was made; empty: it is to be looked for
 };
 
 /// The `main` of a robot executable: builds the program, and serves it on standard input and output. With
