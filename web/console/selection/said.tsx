@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import type { Said } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
@@ -10,6 +10,11 @@ export function SaidThere({ robot, machine }: { robot: number; machine: string }
   const [said, setSaid] = useState<Said | undefined>();
   const [readAt, setReadAt] = useState(0);
   const [problem, setProblem] = useState("");
+  const section = useRef<HTMLElement>(null);
+  // What was asked for stands below everything else.
+  useEffect(() => {
+    if (said || problem) section.current?.scrollIntoView({ block: "nearest" });
+  }, [said, problem]);
   const read = async () => {
     const reply = await connection.ask({ case: "readSaid", value: { robot } });
     setProblem(reply.ok ? "" : sentence(reply.error));
@@ -18,7 +23,7 @@ export function SaidThere({ robot, machine }: { robot: number; machine: string }
     setReadAt(Date.now());
   };
   return (
-    <section className="rows said" aria-label="Messages">
+    <section ref={section} className="rows said" aria-label="Messages">
       <Button onPress={() => void read()}>{said ? "Read messages again" : "Read messages"}</Button>
       {problem && <p className="notice danger">{problem}</p>}
       {said && (
