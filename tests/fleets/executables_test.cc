@@ -35,28 +35,28 @@ std::string in_words(const std::vector<std::string>& words) {
 class FleetExecutables : public Fleets {
  protected:
   static void SetUpTestSuite() {
-    folder_ = fs::path(::testing::TempDir()) / fmt::format("mlab_fleet_executables_{}", ::getpid());
-    fs::create_directories(folder_ / "other");
-    std::ofstream(folder_ / "walker.cnl") << kWalker;
-    std::ofstream(folder_ / "map.odl") << kMap;
-    std::ofstream(folder_ / "m.mdl") << kMission;
-    built_ = build("walker", kWalker);
+    folder = fs::path(::testing::TempDir()) / fmt::format("mlab_fleet_executables_{}", ::getpid());
+    fs::create_directories(folder / "other");
+    std::ofstream(folder / "walker.cnl") << kWalker;
+    std::ofstream(folder / "map.odl") << kMap;
+    std::ofstream(folder / "m.mdl") << kMission;
+    built = build("walker", kWalker);
   }
   static void TearDownTestSuite() {
     std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    fs::remove_all(folder, ignored);
   }
   void SetUp() override {
     Fleets::SetUp();
     if (IsSkipped()) return;
-    ASSERT_TRUE(built_);
+    ASSERT_TRUE(built);
   }
 
   /// Makes an executable out of a network.
   static bool build(const std::string& name, const std::string& network,
                     const std::vector<std::string>& more = {}) {
-    std::ofstream(folder_ / (name + ".cnl")) << network;
-    return call({MLAB_COMMAND, "build", (folder_ / (name + ".cnl")).string(), in_words(more), "> /dev/null"});
+    std::ofstream(folder / (name + ".cnl")) << network;
+    return call({MLAB_COMMAND, "build", (folder / (name + ".cnl")).string(), in_words(more), "> /dev/null"});
   }
   static bool call(const std::vector<std::string>& words) {
     return std::system(in_words(words).c_str()) ==
@@ -66,21 +66,21 @@ class FleetExecutables : public Fleets {
   void bring_mission(const std::string& host) {
     fs::create_directories(net().host(host).path("/tmp/m"));
     for (const char* file : {"walker", "map.odl", "m.mdl"})
-      fs::copy_file(folder_ / file, net().host(host).path(std::string("/tmp/m/") + file));
+      fs::copy_file(folder / file, net().host(host).path(std::string("/tmp/m/") + file));
   }
   /// What a person there starts.
   Process start_executable(const std::string& host, const std::string& name,
                            const std::string& file = "walker") {
-    fs::copy_file(folder_ / file, net().host(host).path("/tmp/walker"));
+    fs::copy_file(folder / file, net().host(host).path("/tmp/walker"));
     return net().host(host).start(
         {"/tmp/walker", "--fleet", "alpha", "--name", name, "--network", net().host(host).address()},
         {.environment = {{"XDG_STATE_HOME", kAgentState}}});
   }
   /// Of the mission, all in one process.
   Json embedded() {
-    const std::string report = (folder_ / "report.json").string();
+    const std::string report = (folder / "report.json").string();
     EXPECT_TRUE(
-        call({MLAB_COMMAND, "run", (folder_ / "m.mdl").string(),
+        call({MLAB_COMMAND, "run", (folder / "m.mdl").string(),
               "--headless --proceed --quiet --threads 1 --allow-native --report", report, "> /dev/null"}));
     return but_for_its_circumstances(report_in(report));
   }
@@ -92,11 +92,11 @@ class FleetExecutables : public Fleets {
     return report;
   }
 
-  static fs::path folder_;
-  static bool built_;
+  static fs::path folder;
+  static bool built;
 };
-fs::path FleetExecutables::folder_;
-bool FleetExecutables::built_ = false;
+fs::path FleetExecutables::folder;
+bool FleetExecutables::built = false;
 
 TEST_F(FleetExecutables, CarryTheRobotsOfMissionsThatNameThem) {
   make_network(31);

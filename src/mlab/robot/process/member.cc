@@ -20,12 +20,16 @@ namespace {
 constexpr int kNoMember = 2;
 constexpr const char* kAgent = "mlab-agent";
 
+std::string_view variable(const char* name) {
+  const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): there is one thread
+  return value == nullptr ? "" : value;
+}
+
 // Where it may be, in the order in which it is looked for.
 std::vector<std::string> places_of_agent(const char* made_with) {
-  if (const char* named = std::getenv("MLAB_AGENT"); named != nullptr && *named != '\0') return {named};
+  if (const std::string_view named = variable("MLAB_AGENT"); !named.empty()) return {std::string(named)};
   std::vector<std::string> out;
-  const char* const path = std::getenv("PATH");
-  std::string_view rest = path == nullptr ? "" : path;
+  std::string_view rest = variable("PATH");
   while (!rest.empty()) {
     const std::string_view folder = rest.substr(0, rest.find(':'));
     rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
