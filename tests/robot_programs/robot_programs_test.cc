@@ -360,6 +360,12 @@ TEST_F(RobotProgramsTest, OneThatWasBuiltAnewMeanwhileIsNotRunInItsPlace) {
             "was built anew meanwhile: it is another program than the one that was begun with");
 }
 
+TEST_F(RobotProgramsTest, OneThatIsClosedStaysWithTheRunWhateverHostIsNamed) {
+  ASSERT_TRUE(prepare("./closed", 1, "green f1 (pace = 3)")) << text::render(sink_);
+  EXPECT_NE(text::render(sink_).find("it is computed where the run is, and not on `f1`"), std::string::npos)
+      << text::render(sink_);
+}
+
 TEST_F(RobotProgramsTest, OneThatIsClosedOrWithoutAnAgentTellsWhoWantsItInAFleet) {
   const auto said = [](const std::string& line) {
     const fs::path file = shared_folder / "said";

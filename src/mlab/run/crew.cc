@@ -8,9 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "mlab/run/order_check.h"
 #include "mlab/run/places.h"
 #include "mlab/run/vehicle.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::run {
 namespace {
@@ -64,7 +67,14 @@ std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& typ
   const robot::RobotProgram* known = known_program(type, before);
   auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink, known,
                                  type.name);
-  if (out) out->host = type.host;
+  if (!out) return out;
+  out->host = type.host;
+  if (out->native && !type.host.empty())
+    sink.warning(
+        "stays-with-run", type.place,
+        fmt::format("`{}` is closed, or was not made by `mlab build` of this version: it is computed "
+                    "where the run is, and not on `{}`",
+                    text::shown(type.program), text::shown(type.host)));
   return out;
 }
 
