@@ -158,7 +158,7 @@ TEST_F(FleetExecutables, WhoStartsThemIsToldWhatIsMissing) {
   EXPECT_EQ(ending->words(), "exit status 1");
   EXPECT_NE(
       far.output().find("has no agent: none of the name `f1` in the fleet `alpha` offers `walker`: there, "
-                        "`./walker --fleet alpha --name f1` does"),
+                        "`./walker --fleet alpha --name f1 --network ADDRESS` does"),
       std::string::npos)
       << far.output();
 }
