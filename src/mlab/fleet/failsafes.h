@@ -50,6 +50,27 @@ struct FailsafeState {
   bool makes_no_way = false;  ///< though it wants to
 };
 
+/// How a row of the table stands for a robot.
+struct RowStanding {
+  enum class State : std::uint8_t {
+    kOthers,     ///< it is no row of this robot's
+    kOff,        ///< nobody looks at it: the robot does not run, or its program can't be silent
+    kArmed,      ///< it is looked at, and far from being met
+    kNear,       ///< half of what it takes, or more
+    kWaiting,    ///< met while a row of higher rank acted
+    kActive,     ///< what it says is done
+    kOverruled,  ///< met, but the robot was given another order since, is steered, or began outside
+  };
+  State state = State::kOthers;
+  double used = 0.0;  ///< share of what it takes, 0 .. 1
+  /// For how long its condition has held [s]; of a fence, how far the body is from the line, beyond it less
+  /// than 0 [m].
+  double measure = 0.0;
+
+  static constexpr double kNearFrom = 0.5;  ///< of `used`
+  friend bool operator==(const RowStanding&, const RowStanding&) = default;
+};
+
 /// The ranked table of failsafes, below the behaviors: what a robot's program wants passes through here. A
 /// row is triggered by the transition into its condition, not by its duration: who has been given another
 /// order, or is steered, is not held again until the condition was over. Fences hold in any case.
@@ -78,6 +99,15 @@ class Failsafes {
   /// What in a robot's surroundings may lead it aside before a fence is this near to it [m], whether its
   /// program drives it or a failsafe does. 0: nothing has to be known.
   double passage_reach(const Situation& situation, const percept::Action& wanted, double dt) const;
+
+  /// How a row stands between two cycles. Of a fence all of the room before the line is used up where no more
+  /// is left than the body needs to stop, and to turn back.
+  ///
+  /// @param action  that the robot carries out
+  RowStanding standing(std::size_t row, const Situation& situation, const percept::Action& action, double dt,
+                       const FailsafeState& state) const;
+  /// Of a row that is OUTSIDE.
+  const Fence& fence(std::size_t row) const { return fences_[row]; }
 
   /// What began in a cycle.
   struct Outcome {

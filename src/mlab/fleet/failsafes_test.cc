@@ -283,5 +283,64 @@ TEST(Failsafes, KnowWhatIsInTheWayOfARobotThatTheyDrive) {
   EXPECT_EQ(robot.failsafes.passage_reach(robot.situation, percept::Action{}, kCycle), 0.0);
 }
 
+// ---- how rows stand
+
+using State = RowStanding::State;
+
+State state_of(const Robot& robot, std::size_t row) {
+  return robot.failsafes.standing(row, robot.situation, robot.action, kCycle, robot.state).state;
+}
+
+TEST(RowsOfFailsafes, GoFromArmedOverNearToActive) {
+  Robot robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold, 1.0)});
+  robot.step();
+  EXPECT_EQ(state_of(robot, 0), State::kArmed);
+  robot.situation.is_in_contact = true;
+  for (int i = 0; i < 4; ++i) robot.step();
+  EXPECT_EQ(state_of(robot, 0), State::kArmed);
+  robot.step();
+  const RowStanding half = robot.failsafes.standing(0, robot.situation, robot.action, kCycle, robot.state);
+  EXPECT_EQ(half.state, State::kNear);
+  EXPECT_NEAR(half.used, 0.5, 1e-9);
+  EXPECT_NEAR(half.measure, 0.5, 1e-9);
+  for (int i = 0; i < 6; ++i) robot.step();
+  EXPECT_EQ(state_of(robot, 0), State::kActive);
+  robot.situation.is_in_contact = false;
+  robot.step();
+  EXPECT_EQ(state_of(robot, 0), State::kArmed);
+}
+
+TEST(RowsOfFailsafes, AreNearToAFenceByTheWayThatTheBodyNeedsToStop) {
+  Robot robot({row(FailsafeCondition::kOutside, FailsafeAction::kHold)});
+  robot.kinematics.max_acceleration = 1.0;
+  const auto at = [&](double x, double speed) {
+    robot.situation.motion = {{{x, 30}, 0.0}, {{speed, 0.0}, speed, 0.0}};
+    robot.step(speed);
+    return robot.failsafes.standing(0, robot.situation, robot.action, kCycle, robot.state);
+  };
+  EXPECT_EQ(at(90, 0.1).state, State::kArmed);
+  EXPECT_EQ(at(90, 4.0).state, State::kNear) << "8 m to brake";
+  EXPECT_NEAR(at(80, 4.0).used, (8.0 + 0.8 + 0.5) / 19.8, 1e-9);
+  EXPECT_NEAR(at(80, 4.0).measure, 19.8, 1e-9) << "between its body and the line";
+  EXPECT_EQ(at(99.75, 0.1).state, State::kNear);
+  EXPECT_EQ(at(99.79, 0.5).state, State::kActive);
+}
+
+TEST(RowsOfFailsafes, WaitWhileAHigherOneActsAndAreOverruledByAnOrder) {
+  Robot robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold),
+               row(FailsafeCondition::kLinkLost, FailsafeAction::kHold, 1.0)});
+  robot.situation.is_in_contact = true;
+  robot.situation.silence = 2.0;
+  robot.step();
+  EXPECT_EQ(state_of(robot, 0), State::kActive);
+  EXPECT_EQ(state_of(robot, 1), State::kWaiting);
+  robot.situation.order = 2;
+  robot.step();
+  EXPECT_EQ(state_of(robot, 0), State::kOverruled);
+  EXPECT_EQ(state_of(robot, 1), State::kOverruled);
+  robot.situation.rows = 0b01;
+  EXPECT_EQ(state_of(robot, 1), State::kOthers);
+}
+
 }  // namespace
 }  // namespace mlab::fleet

@@ -164,6 +164,12 @@ class Fleet {
   geom::Pose pose(const FleetRobot& robot) const { return poses_[index_of(robot)]; }
   /// The failsafe that the robot is under, as the mission's language writes it; empty: none.
   std::string failsafe(const FleetRobot& robot) const;
+  /// The table that is in force, and how each of its rows stands for the robot, between two cycles [s].
+  const Failsafes& failsafes() const { return failsafes_; }
+  std::vector<RowStanding> standings(const FleetRobot& robot, double dt) const;
+  /// What its failsafes look at, but for what is in its way. Of a robot that was not started, what is known
+  /// of its body.
+  Situation situation(const FleetRobot& robot) const;
   /// The group under whose order the robot is; null without an order.
   const Group* group(const FleetRobot& robot) const;
   /// Distance of the robot from its station [m]; 0 without a formation.
@@ -240,6 +246,7 @@ class Fleet {
     std::vector<percept::RobotReading> others;
   };
   void note_seen(std::size_t robot, const percept::Percepts& percepts);
+  /// With what is in its way.
   Situation situation_of(const FleetRobot& robot, double dt);
   void look_for_passage(const FleetRobot& robot, double reach);
 

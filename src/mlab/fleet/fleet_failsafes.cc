@@ -51,22 +51,29 @@ void Fleet::look_for_passage(const FleetRobot& robot, double reach) {
   if (is_held) passage_.keep_within(low, high);
 }
 
-Situation Fleet::situation_of(const FleetRobot& robot, double dt) {
-  const binding::BodyState body = binding_.view().body(robot.body);
-  const Seen& seen = seen_[index_of(robot)];
+Situation Fleet::situation(const FleetRobot& robot) const {
   Situation out;
   out.rows = robot.failsafes;
-  out.motion = {poses_[index_of(robot)], {body.velocity, body.speed, body.turn_rate}};
-  out.home = robot.start.position;
   out.kinematics = &robot.body_spec.kinematics;
   out.radius = robot.capabilities.radius;
   out.cruise_speed = robot.program->number("base_velocity").value_or(kCruiseSpeed);
+  if (robot.life == RobotLife::kNotStarted) return out;
+  const binding::BodyState body = binding_.view().body(robot.body);
+  out.motion = {poses_[index_of(robot)], {body.velocity, body.speed, body.turn_rate}};
+  out.home = robot.start.position;
+  if (index_of(robot) >= seen_.size() || robot.runner == nullptr) return out;
+  const Seen& seen = seen_[index_of(robot)];
   out.is_in_contact = seen.touches;
   out.silence = robot.runner->silence(robot.member);
   out.order = robot.group == FleetRobot::kNoGroup ? 0 : groups_[robot.group].order.sequence;
   out.is_steered = robot.joystick.magnitude > 0.0;
   out.obstacles = seen.obstacles;
   out.others = seen.others;
+  return out;
+}
+
+Situation Fleet::situation_of(const FleetRobot& robot, double dt) {
+  Situation out = situation(robot);
   look_for_passage(robot, failsafes_.passage_reach(out, robot.action, dt));
   out.passage = &passage_;
   return out;
@@ -75,6 +82,24 @@ Situation Fleet::situation_of(const FleetRobot& robot, double dt) {
 std::string Fleet::failsafe(const FleetRobot& robot) const {
   const std::size_t row = robot.failsafe.active;
   return row < failsafes_.rows().size() ? mission::words_of(failsafes_.rows()[row]) : "";
+}
+
+// A row that acts is told of whatever has become of the robot.
+std::vector<RowStanding> Fleet::standings(const FleetRobot& robot, double dt) const {
+  using State = RowStanding::State;
+  std::vector<RowStanding> out;
+  if (robot.failsafes == 0) return {failsafes_.rows().size(), RowStanding{}};
+  const Situation now = situation(robot);
+  const bool is_guarded = robot.life == RobotLife::kRunning ||
+                          (robot.life == RobotLife::kFaulted && failsafes_.drives(robot.failsafe));
+  const bool may_be_silent = robot.runner != nullptr && robot.runner->punctuality() != nullptr;
+  for (std::size_t i = 0; i < failsafes_.rows().size(); ++i) {
+    RowStanding& row = out.emplace_back(failsafes_.standing(i, now, robot.action, dt, robot.failsafe));
+    const bool is_link = failsafes_.rows()[i].condition == mission::FailsafeCondition::kLinkLost;
+    const bool is_looked_at = is_guarded && (!is_link || may_be_silent);
+    if (!is_looked_at && row.state != State::kOthers && row.state != State::kActive) row = {.state = State::kOff};
+  }
+  return out;
 }
 
 bool Fleet::guard(FleetRobot& robot, double dt) {

@@ -34,6 +34,9 @@ struct Workings {
   explicit operator bool() const { return program != nullptr; }
 };
 
+/// How long a robot's action counts in real time [s]: without a newer one its body stands.
+inline constexpr double kActionPatience = 0.5;
+
 /// Asked again and again while a program is waited for; true: nobody has time for it any more, it is ended.
 using Meanwhile = std::function<bool()>;
 

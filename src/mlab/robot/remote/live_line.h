@@ -5,12 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "mlab/robot/program/program_runner.h"
 #include "mlab/robot/remote/link.h"
 
 namespace mlab::robot_remote {
 
-/// How long a robot's action counts in real time [s]: without a newer one its body stands.
-inline constexpr double kActionPatience = 0.5;
+using robot::kActionPatience;
 /// How long a side that has gone silent in real time is waited for [s]. Robots of a run that is lost go on
 /// with what their failsafes say; afterwards nothing is left that they could be driven by.
 inline constexpr double kLivePatience = 30.0;

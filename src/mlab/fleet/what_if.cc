@@ -1,0 +1,246 @@
+#include "mlab/fleet/what_if.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/binding/kinematics.h"
+#include "mlab/robot/program/program_runner.h"
+
+namespace mlab::fleet {
+namespace {
+
+using geom::Offset;
+using geom::Point;
+using mission::FailsafeAction;
+using mission::FailsafeCondition;
+using What = WhatIfEvent::What;
+
+constexpr double kStandsStill = 1e-3;  // slower than this [m/s]
+constexpr double kAfterwards = 1.0;    // it is watched for so long at least when all is over [s]
+constexpr double kMostWork = 4e6;      // sides of fences that are looked at
+
+bool is_within(double value, double low, double high) {
+  return value >= low && value <= high;  // false for what is no number
+}
+
+std::optional<std::string> why_not(const Failsafes& failsafes, const Situation& robot, const WhatIf& asked) {
+  const std::pair<const char*, double> lengths[] = {
+      {"LINK-LOST", asked.link_lost}, {"IN-CONTACT", asked.in_contact}, {"STUCK", asked.stuck}};
+  for (const auto& [word, seconds] : lengths) {
+    if (!is_within(seconds, 0.0, WhatIf::kMostSeconds))
+      return fmt::format("{} lasts from 0 to {:g} s", word, WhatIf::kMostSeconds);
+  }
+  if (!is_within(asked.speed, 0.0, WhatIf::kMostSpeed))
+    return fmt::format("the speed is a number from 0 to {:g} m/s", WhatIf::kMostSpeed);
+  if (!asked.fence) return std::nullopt;
+  const std::size_t row = asked.fence->row;
+  const bool is_fence =
+      row < failsafes.rows().size() && failsafes.rows()[row].condition == FailsafeCondition::kOutside;
+  if (!is_fence) return fmt::format("row {} of the table is no OUTSIDE", row + 1);
+  if ((robot.rows >> row & 1U) == 0) return fmt::format("row {} of the table is not this robot's", row + 1);
+  if (!is_within(asked.fence->depth, -WhatIf::kMostDepth, WhatIf::kMostDepth))
+    return fmt::format("the distance from the line is a number from -{0:g} to {0:g} m", WhatIf::kMostDepth);
+  if (!is_within(asked.fence->bearing, -2.0 * std::numbers::pi, 2.0 * std::numbers::pi))
+    return "the heading is an angle of at most a full turn";
+  return std::nullopt;
+}
+
+// From the place on the line that the robot is nearest to, else from the middle of a side: where one comes so
+// far from there, and to no other side.
+std::expected<geom::Pose, std::string> place_at(const mission::Failsafe& row, const Fence& fence, Point near,
+                                                const WhatIf::AtFence& asked) {
+  constexpr double kExact = 1e-3;
+  std::vector<Point> tried = {fence.nearest(near)};
+  for (std::size_t i = 0; i < row.fence.size(); ++i) {
+    const Point next = row.fence[(i + 1) % row.fence.size()];
+    tried.push_back(row.fence[i] + (next - row.fence[i]) * 0.5);
+  }
+  for (const Point on_line : tried) {
+    const Offset inward = fence.inward(on_line);
+    const Point place = on_line + inward * asked.depth;
+    if (length(inward) <= 0.0 || std::abs(fence.depth(place) - asked.depth) > kExact) continue;
+    const double out = std::atan2(-inward.y, -inward.x);
+    return geom::Pose{place, out + asked.bearing};
+  }
+  return std::unexpected(fmt::format("`{}` has no place that is {:g} m {} its line: come nearer to it",
+                                     row.fence_name, std::abs(asked.depth),
+                                     asked.depth < 0.0 ? "beyond" : "within"));
+}
+
+// A robot by itself, that its failsafes guard for as long as somebody looks.
+class Trial {
+ public:
+  Trial(const Failsafes& failsafes, const Situation& robot, const WhatIf& asked, double dt)
+      : failsafes_(failsafes), asked_(asked), dt_(dt), now_(robot) {
+    now_.passage = &nothing_;
+    now_.obstacles = {};
+    now_.others = {};
+    now_.silence = 0.0;
+    now_.order = 0;
+    now_.is_steered = now_.is_in_contact = false;
+    out_.most_used.resize(failsafes.rows().size());
+  }
+
+  WhatIfOutcome run(const geom::Pose& from) {
+    begin(from);
+    const std::size_t last =
+        std::max({cycles(asked_.link_lost), cycles(asked_.in_contact), cycles_stuck()}) + cycles(kAfterwards);
+    const std::size_t settled = last + cycles(WhatIf::kMostSettling + seconds_to_fence());
+    double work = 0.0;
+    std::size_t i = 0;
+    for (; i < settled && (i < last || !is_settled()); ++i) {
+      work += work_of_cycle();
+      if (i == WhatIf::kMostCycles || work > kMostWork) {
+        out_.is_cut = true;
+        break;
+      }
+      step(i);
+    }
+    out_.seconds = static_cast<double>(i) * dt_;
+    finish();
+    return std::move(out_);
+  }
+
+ private:
+  // A condition that lasts so long holds at its end, too.
+  std::size_t cycles(double seconds) const {
+    if (seconds <= 0.0) return 0;
+    const double whole = std::ceil(seconds / dt_ - 1e-9) + 1.0;
+    return whole < static_cast<double>(WhatIf::kMostCycles) ? static_cast<std::size_t>(whole)
+                                                            : WhatIf::kMostCycles + 1;
+  }
+  // In the first of them it is seen where it is.
+  std::size_t cycles_stuck() const { return asked_.stuck > 0.0 ? cycles(asked_.stuck) + 1 : 0; }
+  double room() const {
+    return failsafes_.fence(asked_.fence->row).depth(now_.motion.pose.position) - now_.radius;
+  }
+  // With a detour.
+  double seconds_to_fence() const {
+    if (!asked_.fence || asked_.speed <= 0.0) return 0.0;
+    return std::min(2.0 * std::abs(asked_.fence->depth) / asked_.speed, WhatIf::kMostSeconds);
+  }
+  double speed() const { return length(now_.motion.momentum.velocity); }
+
+  void begin(const geom::Pose& from) {
+    now_.motion = {from, {}};
+    const double limit = now_.kinematics->max_speed;
+    const double speed = asked_.stuck > 0.0 ? 0.0 : limit > 0.0 ? std::min(asked_.speed, limit) : asked_.speed;
+    now_.motion.momentum.velocity = Offset{std::cos(from.heading), std::sin(from.heading)} * speed;
+    now_.motion.momentum.speed = speed;
+    state_.has_begun = !(asked_.fence && asked_.fence->begins_there);
+    out_.from = from;
+    if (asked_.fence) out_.least_room = room();
+  }
+
+  percept::Action wanted() const {
+    percept::Action out;
+    if (out_.has_stopped || now_.silence > 0.0) return out;
+    out.drives = true;
+    out.velocity = {asked_.speed, 0.0, 0.0};
+    return out;
+  }
+
+  void step(std::size_t i) {
+    const double time = static_cast<double>(i + 1) * dt_;
+    const double age = i < cycles(asked_.link_lost) ? std::min(time, asked_.link_lost) : 0.0;
+    now_.silence = age > robot::kActionPatience ? age : 0.0;
+    now_.is_in_contact = i < cycles(asked_.in_contact);
+    action_ = wanted();
+    if (!out_.has_stopped) guard(time);
+    if (i < cycles_stuck())
+      now_.motion.momentum = {};
+    else
+      move();
+    if (asked_.fence) out_.least_room = std::min(out_.least_room, room());
+    if (speed() > kStandsStill)
+      out_.stood.reset();
+    else if (!out_.stood)
+      out_.stood = time;
+  }
+
+  void guard(double time) {
+    const FailsafeState before = state_;
+    const Failsafes::Outcome outcome = failsafes_.guard(now_, dt_, state_, action_);
+    const auto tell = [&](std::size_t row, What what) {
+      if (out_.events.size() < WhatIfOutcome::kMostEvents) out_.events.push_back({time, row, what});
+    };
+    if (outcome.outside) tell(*outcome.outside, What::kLetsIn);
+    for (std::size_t i = 0; i < failsafes_.rows().size(); ++i) {
+      if (state_.is_met[i] == before.is_met[i] || outcome.outside == i) continue;
+      tell(i, state_.is_met[i] ? What::kMet : What::kNotMet);
+    }
+    if (outcome.is_over) tell(before.active, What::kIsOver);
+    if (outcome.gave_way) tell(*outcome.gave_way, What::kGivesWay);
+    if (outcome.triggered) tell(*outcome.triggered, What::kActs);
+    if (outcome.triggered && failsafes_.rows()[*outcome.triggered].action == FailsafeAction::kStop) {
+      out_.has_stopped = true;
+      action_ = {};
+    }
+    for (std::size_t i = 0; i < out_.most_used.size(); ++i)
+      out_.most_used[i] = std::max(out_.most_used[i], failsafes_.standing(i, now_, action_, dt_, state_).used);
+  }
+
+  // By the laws that the simulator has.
+  void move() {
+    geom::Pose& pose = now_.motion.pose;
+    const binding::WantedMotion motion =
+        binding::drive(*now_.kinematics, action_, pose.heading, {std::cos(pose.heading), std::sin(pose.heading)},
+                       now_.motion.momentum, dt_);
+    pose.position = pose.position + motion.step;
+    pose.heading = motion.heading;
+    now_.motion.momentum = motion.momentum;
+  }
+
+  // Nothing more becomes of it.
+  bool is_settled() const {
+    const bool is_free = state_.active == FailsafeState::kNone && state_.waiting == 0;
+    if (is_free && !asked_.fence) return true;
+    return out_.stood && (!action_.drives || out_.has_stopped);
+  }
+
+  // In sides of fences, at the most: where it brakes on a curve each of the steps is held against them.
+  double work_of_cycle() const {
+    double sides = 0.0;
+    for (const mission::Failsafe& row : failsafes_.rows()) sides += static_cast<double>(row.fence.size());
+    const double slower = now_.kinematics->max_acceleration * dt_;
+    const bool is_curved = now_.motion.momentum.turn_rate != 0.0 || action_.spins;
+    const double steps = is_curved && slower > 0.0 ? speed() / slower : 1.0;
+    return sides * (4.0 + 2.0 * steps);
+  }
+
+  void finish() {
+    out_.to = now_.motion.pose;
+    out_.speed = speed();
+    if (asked_.fence) out_.last_room = room();
+    for (std::size_t i = 0; i < failsafes_.rows().size(); ++i)
+      out_.rows.push_back(failsafes_.standing(i, now_, action_, dt_, state_));
+  }
+
+  const Failsafes& failsafes_;
+  const WhatIf& asked_;
+  const double dt_;
+  const binding::Passage nothing_;
+  Situation now_;
+  FailsafeState state_;
+  percept::Action action_;
+  WhatIfOutcome out_;
+};
+
+}  // namespace
+
+std::expected<WhatIfOutcome, std::string> what_if(const Failsafes& failsafes, const Situation& robot,
+                                                  const WhatIf& conditions, double dt) {
+  if (auto reason = why_not(failsafes, robot, conditions)) return std::unexpected(std::move(*reason));
+  Trial trial(failsafes, robot, conditions, dt);
+  if (!conditions.fence) return trial.run(robot.motion.pose);
+  const WhatIf::AtFence& at = *conditions.fence;
+  auto from = place_at(failsafes.rows()[at.row], failsafes.fence(at.row), robot.motion.pose.position, at);
+  if (!from) return std::unexpected(std::move(from.error()));
+  return trial.run(*from);
+}
+
+}  // namespace mlab::fleet
