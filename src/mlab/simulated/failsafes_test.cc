@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/fleet/what_if.h"
 #include "mlab/mission/mission.h"
 #include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
@@ -41,9 +42,9 @@ mission::Failsafe row(mission::FailsafeCondition condition, mission::FailsafeAct
   return out;
 }
 
-// The mission of one robot, which is started at (20, 50).
-std::shared_ptr<const mission::Mission> mission_with(std::vector<mission::Failsafe> failsafes,
-                                                     bool has_wall) {
+// The mission of one robot.
+std::shared_ptr<const mission::Mission> mission_with(std::vector<mission::Failsafe> failsafes, bool has_wall,
+                                                     double x) {
   auto out = std::make_shared<mission::Mission>();
   out->source = std::make_shared<const text::Source>("test.mdl", "NEW-ROBOT r x\nUNIT u START\n");
   out->overlay.area = overlay::Area{200.0, 100.0};
@@ -60,7 +61,7 @@ std::shared_ptr<const mission::Mission> mission_with(std::vector<mission::Failsa
   out->failsafes = std::move(failsafes);
   mission::UnitCommand start;
   start.task = mission::Task::kStart;
-  start.goal = {20.0, 50.0};
+  start.goal = {x, 50.0};
   start.place = {out->source, {14, 20}};
   out->steps.push_back({"0", {start}, {}});
   return out;
@@ -71,12 +72,12 @@ struct Drive {
   std::unique_ptr<MissionRun> run;
   std::vector<std::string> told;
 
-  explicit Drive(std::vector<mission::Failsafe> failsafes, bool has_wall = false) {
+  explicit Drive(std::vector<mission::Failsafe> failsafes, bool has_wall = false, double x = 20.0) {
     static const text::Files kInMemory = only_east();
     robot::ProgramSources sources;
     sources.files = &kInMemory;
     text::Diagnostics sink;
-    const auto mission = mission_with(std::move(failsafes), has_wall);
+    const auto mission = mission_with(std::move(failsafes), has_wall, x);
     RunSettings settings;
     settings.goes_on_when_done = true;
     run = simulated::make_run(mission, sources, settings, sink);
@@ -90,6 +91,20 @@ struct Drive {
     for (int i = 0; i < static_cast<int>(seconds * 10.0); ++i) run->step();
   }
   const fleet::FleetRobot& robot() const { return run->fleet().robots().front(); }
+  /// Steps until it is so. @return  how many cycles that took; no more than a minute's
+  template <class IsTrue>
+  int step_until(IsTrue is_true) {
+    int cycles = 0;
+    for (; !is_true() && cycles < 600; ++cycles) run->step();
+    return cycles;
+  }
+  bool acts() const { return robot().failsafe.active != fleet::FailsafeState::kNone; }
+  fleet::WhatIfOutcome what_if(const fleet::WhatIf& conditions) const {
+    const auto out = fleet::what_if(run->fleet().failsafes(), run->fleet().situation(robot()), conditions,
+                                    run->cycle_duration());
+    EXPECT_TRUE(out.has_value()) << (out ? "" : out.error());
+    return out.value_or(fleet::WhatIfOutcome{});
+  }
   double x() const { return run->fleet().pose(robot()).position.x; }
   int count(const std::string& text) const {
     int out = 0;
@@ -149,6 +164,68 @@ TEST(Failsafes, GiveTheSameRunEachTime) {
     other.run->step();
     ASSERT_EQ(one.run->fleet().pose(one.robot()), other.run->fleet().pose(other.robot()));
   }
+}
+
+// ---- what a what-if says is what comes
+
+double when_it_acts(const fleet::WhatIfOutcome& outcome) {
+  for (const fleet::WhatIfEvent& event : outcome.events) {
+    if (event.what == fleet::WhatIfEvent::What::kActs) return event.time;
+  }
+  return -1.0;
+}
+
+TEST(WhatIfOfARun, ForetellsWhereARobotStandsBeforeItsFence) {
+  for (const FailsafeAction action : {FailsafeAction::kHold, FailsafeAction::kReverseInside}) {
+    Drive drive({row(FailsafeCondition::kOutside, action)});
+    drive.step_until([&] { return drive.x() > 51.0; });
+    const fleet::WhatIfOutcome foretold = drive.what_if(
+        {.speed = 4.0, .fence = fleet::WhatIf::AtFence{.depth = 60.0 - drive.x()}});
+    const int cycles = drive.step_until([&] { return drive.acts(); });
+    EXPECT_NEAR(when_it_acts(foretold), cycles * 0.1, 1e-6);
+    drive.go(20.0);
+    EXPECT_NEAR(foretold.to.position.x, drive.x(), 1e-6);
+    EXPECT_TRUE(foretold.stood);
+  }
+}
+
+TEST(WhatIfOfARun, ForetellsWhenAStuckRobotIsNoticed) {
+  Drive drive({row(FailsafeCondition::kStuck, FailsafeAction::kStop, 3.0)}, true, 39.79);
+  const fleet::WhatIfOutcome foretold = drive.what_if({.stuck = 10.0, .speed = 4.0});
+  drive.step_until([&] { return drive.robot().failsafe.has_begun; });
+  const int cycles = 1 + drive.step_until([&] { return drive.acts(); });
+  EXPECT_NEAR(when_it_acts(foretold), cycles * 0.1, 1e-6);
+  EXPECT_TRUE(foretold.has_stopped);
+  EXPECT_EQ(drive.robot().life, fleet::RobotLife::kStopped);
+}
+
+TEST(WhatIfOfARun, ForetellsWhichOfTwoRowsActsAtAWall) {
+  Drive drive({row(FailsafeCondition::kStuck, FailsafeAction::kReturn, 3.0),
+               row(FailsafeCondition::kInContact, FailsafeAction::kContinue, 1.0)},
+              true, 39.79);
+  const fleet::WhatIfOutcome foretold = drive.what_if({.in_contact = 3.3, .stuck = 3.3, .speed = 4.0});
+  drive.go(4.5);
+  std::vector<std::string> acts;
+  for (const fleet::WhatIfEvent& event : foretold.events) {
+    if (event.what == fleet::WhatIfEvent::What::kActs)
+      acts.push_back(mission::words_of(drive.run->mission().failsafes[event.row]));
+  }
+  ASSERT_EQ(acts.size(), 2U);
+  EXPECT_EQ(drive.count("acts"), 2);
+  EXPECT_EQ(drive.count("`" + acts[0] + "` acts"), 1);
+  EXPECT_EQ(drive.count("`" + acts[1] + "` acts, before `" + acts[0] + "`"), 1);
+}
+
+TEST(WhatIfOfARun, LeavesTheRunAsItIs) {
+  Drive one({row(FailsafeCondition::kOutside, FailsafeAction::kReturn)});
+  Drive other({row(FailsafeCondition::kOutside, FailsafeAction::kReturn)});
+  for (int i = 0; i < 200; ++i) {
+    one.run->step();
+    other.run->step();
+    one.what_if({.link_lost = 3.0, .stuck = 1.0});
+    ASSERT_EQ(one.run->fleet().pose(one.robot()), other.run->fleet().pose(other.robot()));
+  }
+  EXPECT_EQ(one.told, other.told);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ void Channel::watch(const Watch& wanted) {
     if (const auto at = series_seen.find(series.id()); at != series_seen.end()) kept.insert(*at);
   }
   series_seen = std::move(kept);
+  failsafes_seen.clear();
 }
 
 double Channel::next_frame() const {

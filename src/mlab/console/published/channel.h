@@ -43,6 +43,7 @@ class Channel {
   std::uint64_t log_seen = 0;     ///< number of the last log entry that it has
   std::map<std::uint32_t, double>
       series_seen;  ///< time of the last sample that it has, by its id of the series
+  std::map<std::uint32_t, std::string> failsafes_seen;  ///< by robot: how its rows stood, as it was told
 
  private:
   ConnectionId connection_;

@@ -75,6 +75,7 @@ SessionCore::SessionCore(SessionSettings settings, Session::Send send)
                    {designs_of(settings_, project_), "in the designer"}),
       // So that it stays known what was executed.
       run_orders_(run_, log_, [this] { document_orders_.sync_drafts(); }),
+      failsafe_trials_(run_),
       frames_(run_, people_),
       publisher_({people_, documents_, run_, maker_, frames_, log_}),
       thread_([this] { work(); }) {}

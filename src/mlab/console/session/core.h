@@ -11,6 +11,7 @@
 #include "mlab/console/run/event_log.h"
 #include "mlab/console/session.h"
 #include "mlab/console/session/document_orders.h"
+#include "mlab/console/session/failsafe_trials.h"
 #include "mlab/console/session/frames.h"
 #include "mlab/console/session/map_picture.h"
 #include "mlab/console/session/name_orders.h"
@@ -83,6 +84,7 @@ class SessionCore {
   DocumentOrders document_orders_;
   NameOrders name_orders_;
   RunOrders run_orders_;
+  FailsafeTrials failsafe_trials_;
   Frames frames_;
   Publisher publisher_;
   std::thread thread_;

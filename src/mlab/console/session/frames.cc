@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "mlab/console/published/failsafe_encoder.h"
 #include "mlab/console/published/robot_detail.h"
 #include "mlab/console/run/measure_series.h"
 
@@ -55,7 +56,10 @@ void Frames::follow_run() {
   known_run_ = run_.run_number();
   rows_.clear();
   sentences_.clear();
-  for (auto& [id, channel] : people_.channels()) channel.series_seen.clear();
+  for (auto& [id, channel] : people_.channels()) {
+    channel.series_seen.clear();
+    channel.failsafes_seen.clear();
+  }
   update_watches();
 }
 
@@ -112,6 +116,7 @@ void Frames::fill(Channel& channel, Frame& out) {
   if (watch.with_vectors()) encode_vectors(live.run(), *out.mutable_vectors());
   encode_objects(live.run(), *out.mutable_objects());
   fill_details(watch, out);
+  if (watch.with_failsafes()) fill_failsafes(channel, out);
   fill_series(channel, *out.mutable_series());
 }
 
@@ -132,6 +137,22 @@ void Frames::fill_details(const Watch& watch, Frame& out) {
     if (!run_.time_runs() || wall_time() - sentences.wall > kSentencesEvery)
       sentences = {wall_time(), waits_for(run, *robot)};
     for (const std::string& line : sentences.lines) told.add_waits_for(line);
+  }
+}
+
+void Frames::fill_failsafes(Channel& channel, Frame& out) {
+  const run::MissionRun& run = run_.live()->run();
+  if (run.fleet().failsafes().empty()) return;
+  for (const std::uint32_t id : channel.watched().details()) {
+    const fleet::FleetRobot* robot = run.fleet().find({id});
+    if (robot == nullptr) continue;
+    FailsafeStandings told;
+    encode_standings(run, *robot, told);
+    std::string bytes = told.SerializeAsString();
+    std::string& seen = channel.failsafes_seen[id];
+    if (seen == bytes) continue;
+    seen = std::move(bytes);
+    *out.add_failsafes() = std::move(told);
   }
 }
 

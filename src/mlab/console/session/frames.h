@@ -32,6 +32,7 @@ class Frames {
  private:
   void fill(Channel& channel, Frame& out);
   void fill_details(const Watch& watch, Frame& out);
+  void fill_failsafes(Channel& channel, Frame& out);
   void fill_series(Channel& channel, SeriesData& out);
 
   RunControl& run_;

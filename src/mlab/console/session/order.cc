@@ -17,6 +17,7 @@ Order Order::of(ToServer::BodyCase body) {
   constexpr auto kRun = &Core::run_orders_;
   constexpr auto kDocuments = &Core::document_orders_;
   constexpr auto kNames = &Core::name_orders_;
+  constexpr auto kTrials = &Core::failsafe_trials_;
   constexpr auto kFrames = &Core::frames_;
   constexpr auto kPeople = &Core::people_;
   constexpr auto kMaker = &Core::maker_;
@@ -53,6 +54,8 @@ Order Order::of(ToServer::BodyCase body) {
       return {kAnybody, kAfterCycle, T::taken<&Run::read_said, &M::read_said, kRun>};
     case M::kReadText:
       return {kAnybody, kDuringCycle, T::taken<&Names::read_text, &M::read_text, kNames>};
+    case M::kTryFailsafes:
+      return {kAnybody, kAfterCycle, T::taken<&FailsafeTrials::try_out, &M::try_failsafes, kTrials>};
 
     case M::kControl:
       return {kOperator, kAfterCycle, T::taken_whole<&Core::control, &M::control>};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mlab/base/hash.h"
+#include "mlab/console/published/failsafe_encoder.h"
 #include "mlab/console/published/overview.h"
 #include "mlab/console/published/status_encoder.h"
 #include "mlab/console/run/held_values.h"
@@ -78,6 +79,14 @@ std::vector<Publisher::Topic> Publisher::topics() {
          encode_plan(
              live()->run().mission(), run_.plan_revision(),
              [this](const text::Place& place) { return documents_.place(place); }, *out.mutable_plan());
+       },
+       plan_revision},
+      {[this, live](ToBrowser& out) {
+         Failsafes& failsafes = *out.mutable_failsafes();
+         if (live() == nullptr) return;
+         encode_failsafes(
+             live()->run().mission(), [this](const text::Place& place) { return documents_.place(place); },
+             failsafes);
        },
        plan_revision},
       {[this](ToBrowser& out) { tell_status(out); }, [this] { return news_revision(); }},

@@ -144,6 +144,10 @@ class Browser {
   const Breakpoints& breakpoints() const { return breakpoints_; }
   const Halted& halted() const { return halted_; }
   const HeldValues& held() const { return held_; }
+  const Failsafes& failsafes() const { return failsafes_; }
+  /// How the table stands for a robot, and how many frames told of it.
+  const FailsafeStandings& standings(std::uint32_t robot) { return standings_[robot]; }
+  std::uint64_t standings_count() const { return standings_count_; }
   const std::vector<Log::Entry>& log() const { return log_; }
   std::uint64_t frame_count() const { return frame_count_; }
   std::uint64_t alerts_after() const { return alerts_after_; }
@@ -223,6 +227,9 @@ class Browser {
       case ToBrowser::kHeldValues:
         held_ = message.held_values();
         break;
+      case ToBrowser::kFailsafes:
+        failsafes_ = message.failsafes();
+        break;
       case ToBrowser::kHalted:
         halted_ = message.halted();
         break;
@@ -237,6 +244,10 @@ class Browser {
   void take_frame(const Frame& frame) {
     frame_ = frame;
     ++frame_count_;
+    for (const FailsafeStandings& one : frame.failsafes()) {
+      standings_[one.robot()] = one;
+      ++standings_count_;
+    }
     acknowledge();
   }
   void acknowledge() {
@@ -268,6 +279,9 @@ class Browser {
   Breakpoints breakpoints_;
   Halted halted_;
   HeldValues held_;
+  Failsafes failsafes_;
+  std::map<std::uint32_t, FailsafeStandings> standings_;
+  std::uint64_t standings_count_ = 0;
   std::vector<Log::Entry> log_;
   std::uint64_t frame_count_ = 0;
   std::uint64_t alerts_after_ = 0;
