@@ -6,7 +6,19 @@ import { begin } from "./begin.ts";
 import type { Console } from "./console.ts";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const panels = ["Mission", "Robots", "Draw", "World", "Selection", "Teleoperation", "View", "Log", "Text", "Plots"];
+const panels = [
+  "Mission",
+  "Robots",
+  "Draw",
+  "World",
+  "Selection",
+  "Teleoperation",
+  "Failsafes",
+  "View",
+  "Log",
+  "Text",
+  "Plots",
+];
 
 interface Violation {
   id: string;

@@ -38,3 +38,92 @@ test("a robot that is held before a fence says so, and drives back by an order",
   await (await console.panel("Log")).getByText(/Robot 1: .FAILSAFE OUTSIDE Field HOLD. is over/).waitFor();
   expect(await page.getByText("no progress").count()).toBe(0);
 });
+
+const kGuarded = `MISSION NAME "guarded"
+OVERLAY demo_c.odl
+FAILSAFE OUTSIDE Field HOLD
+FAILSAFE LINK-LOST AFTER 5 RETURN
+FAILSAFE IN-CONTACT AFTER 0.5 STOP
+UNIT <a> ROBOT ROBOT
+COMMAND LIST:
+  0. UNIT a START 198 100 -60 0
+  1. ROBOT 1 MOVETO 400 100 SPEED 0.3
+`;
+
+const guarded = (folder: { write(name: string, text: string): void }) => {
+  folder.write("demo_c.mdl", kGuarded);
+  folder.write("demo_c.odl", kOverlay);
+};
+
+test("a row of the table goes from armed over near to active before the eyes of who looks at it", async () => {
+  const { console } = await begin({ mission: "demo_c", prepare: guarded, options: ["--speed", "1"] });
+  await console.reaches("Ready");
+  await console.select("Robot 1");
+  const panel = await console.panel("Failsafes");
+  const fence = panel.getByTestId("failsafe-1");
+  await fence.getByText("OUTSIDE Field").waitFor();
+  await fence.getByText("Off", { exact: true }).waitFor();
+  await console.main.click();
+  await fence.getByText("Armed", { exact: true }).waitFor();
+  await panel.getByTestId("failsafe-2").getByText("looked at with --real-time only").waitFor();
+  await fence.getByText("Near", { exact: true }).waitFor();
+  await fence.getByText(/^0\.\d m to the line$/).waitFor();
+  await fence.getByText("Active", { exact: true }).waitFor();
+
+  // Of a unit the robot that is worst off; and in the facts of one robot how many rows stand how.
+  await console.select("a");
+  await fence.getByText("Active 1 of 2").waitFor();
+  await fence.getByText(/^Robot 1: 0\.\d m to the line$/).waitFor();
+  await console.select("Robot 2");
+  await fence.getByText("Armed", { exact: true }).waitFor();
+  const selection = await console.panel("Selection");
+  await selection.getByRole("button", { name: "2 armed, 1 off" }).click();
+  await panel.waitFor();
+  await fence.getByText("What it means").click();
+  await fence.getByText(/^It holds while the robot is about to leave the area/).waitFor();
+  await fence.getByRole("button", { name: "demo_c.mdl, line 3" }).click();
+  await console.page.getByRole("region", { name: "Text", exact: true }).waitFor();
+});
+
+test("conditions that a person sets are tried, and the run stays as it is", async () => {
+  const { console } = await begin({ mission: "demo_c", prepare: guarded });
+  await console.reaches("Ready");
+  const panel = await console.panel("Failsafes");
+  await panel.getByText("Select a robot or a unit").waitFor();
+  const whatIf = panel.getByRole("region", { name: "What if?" });
+  const answer = whatIf.getByRole("status");
+  const tryIt = whatIf.getByRole("button", { name: "Try it" });
+  await whatIf.getByText(/^Tried with Robot 1/).waitFor();
+  await tryIt.click();
+  await answer.getByText("OUTSIDE Field HOLD acts.").waitFor();
+  await answer.getByText(/it stands, 4\.\d m from where it was, (at|0\.\d m before) the line\.$/).waitFor();
+
+  await whatIf.getByText("It is at a fence").click();
+  await answer.waitFor({ state: "detached" });
+  await whatIf.getByText("The link is lost").click();
+  await whatIf.getByText("It is in contact").click();
+  const lengths = whatIf.getByRole("textbox", { name: "for [s]" });
+  await lengths.nth(1).fill("0.2");
+  await lengths.nth(1).press("Enter");
+  await tryIt.click();
+  await answer.getByText("LINK-LOST AFTER 5 RETURN acts.").waitFor();
+  await answer.getByText(/^IN-CONTACT AFTER 0.5 STOP: \d+ % of what it takes$/).waitFor();
+  await lengths.nth(1).fill("1");
+  await tryIt.click();
+  await answer.getByText("IN-CONTACT AFTER 0.5 STOP is met, and acts").waitFor();
+  await answer.getByText(/Its program has ended\.$/).waitFor();
+  await lengths.nth(1).fill("601");
+  await whatIf.getByText("At most 600.").waitFor();
+  await console.reaches("Ready");
+  expect(await console.time()).toBe(0);
+});
+
+test("a mission without failsafes says how one is written", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  await console.reaches("Ready");
+  const panel = await console.panel("Failsafes");
+  await panel.getByText("This mission has no failsafes.").waitFor();
+  await panel.getByText(/FAILSAFE LINK-LOST AFTER 5 RETURN/).waitFor();
+  await panel.getByRole("button", { name: "Open the mission's text" }).click();
+  await console.page.getByRole("region", { name: "Text", exact: true }).waitFor();
+});

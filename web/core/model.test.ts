@@ -1,7 +1,7 @@
 import { create, type MessageInitShape } from "@bufbuild/protobuf";
-import { expect, test, vi } from "vitest";
+import { expect, onTestFinished, test, vi } from "vitest";
 import { kLogLength, Model } from "./model.ts";
-import { Status_Mode, ToBrowserSchema } from "./protocol.ts";
+import { FailsafeStandings_State, Status_Mode, ToBrowserSchema } from "./protocol.ts";
 import { kRecordBytes, writeRecord } from "./robots.ts";
 import { selectItem, selectRobots } from "./selection.ts";
 
@@ -160,4 +160,25 @@ test("knows which values are held", () => {
   ]);
   say(model, { case: "heldValues", value: {} });
   expect(model.get("held")).toEqual([]);
+});
+
+test("how failsafes stand is kept until it changes, and forgotten with the run", () => {
+  vi.useFakeTimers();
+  onTestFinished(() => {
+    vi.useRealTimers();
+  });
+  const model = new Model();
+  const stand = (robot: number, used: number) => ({ robot, rows: [{ state: FailsafeStandings_State.NEAR, used }] });
+  const frame = (number: bigint, time: number, failsafes: ReturnType<typeof stand>[]) => {
+    say(model, { case: "frame", value: { number, time, failsafes } });
+    vi.advanceTimersByTime(200);
+  };
+  frame(1n, 5, [stand(1, 50), stand(2, 60)]);
+  frame(2n, 5.1, [stand(1, 70)]);
+  const known = model.get("standings");
+  expect([known.get(1)?.rows[0]?.used, known.get(2)?.rows[0]?.used]).toEqual([70, 60]);
+  frame(3n, 5.2, []);
+  expect(model.get("standings")).toBe(known);
+  frame(4n, 0.1, [stand(2, 55)]);
+  expect([...model.get("standings").keys()]).toEqual([2]);
 });

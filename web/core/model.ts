@@ -9,6 +9,8 @@ import {
   type Clients,
   type Documents,
   type EditState,
+  type FailsafeStandings,
+  type Failsafes_Row,
   type Frame,
   type Halted,
   type HeldValues_Held,
@@ -57,6 +59,10 @@ export interface Parts {
   halted: Halted | null;
   /** Outputs of robots' programs that somebody holds. */
   held: readonly HeldValues_Held[];
+  /** The mission's table of failsafes, the highest rank first. */
+  failsafes: readonly Failsafes_Row[];
+  /** How its rows stand for robots that are watched for it, by id; announced at most ten times a second. */
+  standings: ReadonlyMap<number, FailsafeStandings>;
   /** Run time of the newest frame [s]; announced at most ten times a second. */
   time: number;
   /** Details of watched robots, by id; announced at most ten times a second. `Model.detail` has the newest. */
@@ -101,6 +107,8 @@ export class Model extends Store<Parts> {
   robotsElsewhere = 0;
 
   private readonly newest = new Map<number, RobotDetail>();
+  private readonly standings = new Map<number, FailsafeStandings>();
+  private hasNewStandings = false;
   private readonly moved = new PointTable(4);
   private readonly frameListeners = new Set<() => void>();
   private readonly seriesListeners = new Set<(data: SeriesData) => void>();
@@ -127,6 +135,8 @@ export class Model extends Store<Parts> {
       breakpoints: [],
       halted: null,
       held: [],
+      failsafes: [],
+      standings: new Map(),
       time: 0,
       details: new Map(),
       selection: kNothing,
@@ -228,6 +238,9 @@ export class Model extends Store<Parts> {
       case "heldValues":
         this.set("held", body.value.values);
         break;
+      case "failsafes":
+        this.set("failsafes", body.value.rows);
+        break;
       case "trails":
         this.takeTrails(body.value);
         break;
@@ -249,6 +262,7 @@ export class Model extends Store<Parts> {
     this.extendTrails();
     this.newest.clear();
     for (const detail of frame.details) this.newest.set(detail.id, detail);
+    this.takeStandings(frame.failsafes);
     if (frame.series) for (const listener of this.seriesListeners) listener(frame.series);
     for (const listener of this.frameListeners) listener();
     this.announceSoon();
@@ -319,6 +333,12 @@ export class Model extends Store<Parts> {
     this.set("log", [...known, ...fresh].slice(-kLogLength));
   }
 
+  /** Only those that have changed come. */
+  private takeStandings(changed: readonly FailsafeStandings[]): void {
+    for (const one of changed) this.standings.set(one.robot, one);
+    this.hasNewStandings ||= changed.length > 0;
+  }
+
   private takeTrails(trails: Trails): void {
     this.trails.replace(trails);
     for (const listener of this.frameListeners) listener();
@@ -346,6 +366,8 @@ export class Model extends Store<Parts> {
     this.time = 0;
     this.trails.clear();
     this.movedObjects.clear();
+    this.standings.clear();
+    this.hasNewStandings = true;
   }
 
   private announceSoon(): void {
@@ -359,6 +381,8 @@ export class Model extends Store<Parts> {
     this.pending = undefined;
     this.announced = now;
     this.set("time", this.time);
+    if (this.hasNewStandings) this.set("standings", new Map(this.standings));
+    this.hasNewStandings = false;
     if (this.newest.size || this.get("details").size) this.set("details", new Map(this.newest));
   }
 }

@@ -25,6 +25,16 @@ test("the server is told the sum of what panels wish, once for many changes", ()
   });
 });
 
+test("how failsafes stand is asked for while somebody looks at it", () => {
+  const watching = new Watching(() => undefined);
+  watching.wish("selection", { details: [1] });
+  expect(watching.sum()).toMatchObject({ withFailsafes: false });
+  watching.wish("failsafes", { failsafes: true });
+  expect(watching.sum()).toMatchObject({ details: [1], withFailsafes: true });
+  watching.wish("failsafes", null);
+  expect(watching.sum()).toMatchObject({ withFailsafes: false });
+});
+
 test("some ports are asked for by their paths, unless somebody wishes all", () => {
   const watching = new Watching(() => undefined);
   watching.wish("drawing", { details: [1], ports: ["movement", "movement.Noise"] });

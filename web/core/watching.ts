@@ -20,6 +20,8 @@ export interface WatchWish {
   /** Values of the robots in `details`: of all ports, or of these paths. */
   readonly ports?: boolean | readonly string[];
   readonly readings?: boolean;
+  /** How failsafes stand for the robots in `details`. */
+  readonly failsafes?: boolean;
   readonly stations?: boolean;
   readonly vectors?: boolean;
   readonly series?: readonly SeriesWish[];
@@ -78,6 +80,7 @@ export class Watching {
       withPorts: wantsAll || ports.length > 0,
       ports: wantsAll ? [] : ports,
       withReadings: all.some((wish) => wish.readings),
+      withFailsafes: all.some((wish) => wish.failsafes),
       withStations: all.some((wish) => wish.stations),
       withVectors: all.some((wish) => wish.vectors),
       series: all.flatMap((wish) => wish.series ?? []).slice(0, kMostWatched),

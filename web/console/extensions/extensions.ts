@@ -3,6 +3,8 @@ import { lazy } from "react";
 import { CommandTool } from "../command/command_tool.ts";
 import { CommandOptions } from "../command/order_window.tsx";
 import { nameActions } from "../editor/names.ts";
+import { FailsafesPanel } from "../failsafes/failsafes_panel.tsx";
+import { kFailsafesPlace } from "../failsafes/place.ts";
 import { LogPanel } from "../log/log_panel.tsx";
 import { MeasureOptions, makeMeasureTool } from "../measuring/measure_tool.tsx";
 import { MissionPanel } from "../mission/mission_panel.tsx";
@@ -39,6 +41,7 @@ export const panels: readonly Panel[] = [
     shortcut: "6",
     useBadge: useSteeredUnits,
   },
+  { ...kFailsafesPlace, icon: "shield", component: FailsafesPanel },
   { id: "view", title: "View", icon: "layers", component: ViewPanel, dock: "right", shortcut: "7" },
   { id: "log", title: "Log", icon: "log", component: LogPanel, dock: "bottom", shortcut: "8" },
   { id: "text", title: "Text", icon: "text", component: TextPanel, dock: "bottom", shortcut: "9" },

@@ -42,6 +42,7 @@ function frameWith(series: unknown) {
     robots: none,
     robotsElsewhere: 0,
     details: [],
+    failsafes: [],
     stations: none,
     vectors: none,
     objects: none,

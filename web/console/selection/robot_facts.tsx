@@ -3,6 +3,7 @@ import type { Status_SilentMachine } from "../../core/protocol.ts";
 import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance, duration, headingDegrees } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
+import { FailsafeSummary } from "../failsafes/failsafe_summary.tsx";
 import { faulted, robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session/session.ts";
 import { ReplaceButton } from "./replace_button.tsx";
@@ -16,6 +17,7 @@ export function RobotFacts({ id }: { id: number }) {
   const row = model.robots.rowOf(id);
   const state = robotState(row < 0 ? 0 : model.robots.flags(row));
   const roster = usePart("roster");
+  const failsafes = usePart("failsafes");
   const silent = usePart("status")?.silentMachines.find((one) => one.name === detail?.machine);
   if (!detail || detail.life === kNotStarted) {
     return (
@@ -56,6 +58,7 @@ export function RobotFacts({ id }: { id: number }) {
           ["Off its station", detail.station ? distance(detail.stationError) : "–"],
           ["Driven", distance(detail.distanceDriven)],
           ["Contacts", String(detail.contacts)],
+          ...(failsafes.length > 0 ? [["Failsafes", <FailsafeSummary key="failsafes" robot={id} />] as const] : []),
           ["Carries", detail.carried ? `object ${detail.carried}` : "nothing"],
         ]}
       />

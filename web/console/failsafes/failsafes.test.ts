@@ -1,0 +1,187 @@
+import { create } from "@bufbuild/protobuf";
+import { describe, expect, it } from "vitest";
+import {
+  FailsafeStandingsSchema,
+  FailsafesSchema,
+  FailsafeTrialSchema,
+  FailsafeStandings_State as State,
+  FailsafeTrial_What as What,
+} from "../../core/protocol.ts";
+import {
+  measureText,
+  nameOf,
+  standingText,
+  stateWord,
+  summaryText,
+  thresholdText,
+  worstOf,
+  worstState,
+} from "./standings.ts";
+import {
+  askable,
+  ending,
+  fences,
+  firstConditions,
+  firstSeconds,
+  lineText,
+  moments,
+  notMet,
+  orderOf,
+  verdict,
+} from "./what_if.ts";
+
+const { rows } = create(FailsafesSchema, {
+  rows: [
+    { statement: "FAILSAFE OUTSIDE Field HOLD", condition: "OUTSIDE", fence: "Field", action: "HOLD" },
+    {
+      statement: "FAILSAFE LINK-LOST AFTER 5 RETURN",
+      condition: "LINK-LOST",
+      mayLast: true,
+      seconds: 5,
+      action: "RETURN",
+    },
+    { statement: "FAILSAFE IN-CONTACT AFTER 0 HOLD", condition: "IN-CONTACT", mayLast: true, action: "HOLD" },
+  ],
+});
+const [fence, link, contact] = rows as [(typeof rows)[0], (typeof rows)[0], (typeof rows)[0]];
+const standing = (state: State, used = 0, measure = 0) => ({ state, used, measure });
+const standings = (...states: State[]) => create(FailsafeStandingsSchema, { rows: states.map((one) => standing(one)) });
+const first = (state: State, used = 0, measure = 0) =>
+  create(FailsafeStandingsSchema, { rows: [standing(state, used, measure)] }).rows[0]!;
+
+describe("how a row stands", () => {
+  it("has a word of its own for each state", () => {
+    const all = Object.values(State).filter((state) => typeof state === "number");
+    expect(new Set(all.map((state) => stateWord(state as State).word)).size).toBe(7);
+  });
+  it("says how much of what it takes is used up", () => {
+    expect(standingText(link, first(State.NEAR, 62, 31), true)).toBe("3.1 of 5 s");
+    expect(measureText(fence, 12.34)).toBe("12.3 m to the line");
+    expect(measureText(fence, -0.4)).toBe("0.4 m beyond the line");
+    expect(measureText(fence, 214)).toBe("214 m to the line");
+    expect(measureText(contact, 0)).toBe("not now");
+    expect(measureText(contact, 1.24)).toBe("for 1.2 s");
+  });
+  it("says why nobody looks at it", () => {
+    expect(standingText(link, first(State.OFF), false)).toBe("looked at with --real-time only");
+    expect(standingText(link, first(State.OFF), true)).toBe("looked at while the robot runs");
+    expect(standingText(fence, first(State.OFF), false)).toBe("looked at while the robot runs");
+  });
+  it("says why it does not act though it is met", () => {
+    expect(standingText(link, first(State.WAITING, 100, 60), true)).toBe("6.0 of 5 s, a row above it acts");
+    expect(standingText(link, first(State.OVERRULED, 100, 60), true)).toMatch(/the stick has taken over$/);
+    expect(standingText(fence, first(State.OVERRULED, 100, -20), true)).toBe(
+      "2.0 m beyond the line, it may only drive nearer",
+    );
+  });
+  it("says how long it takes, where it does", () => {
+    expect(rows.map(thresholdText)).toEqual(["", "after 5 s", ""]);
+    expect(nameOf(link)).toBe("LINK-LOST AFTER 5 RETURN");
+  });
+  it("is told of several robots by the one that is worst off", () => {
+    const all = new Map([
+      [1, standings(State.ARMED, State.OTHERS)],
+      [2, standings(State.ACTIVE, State.OTHERS)],
+      [3, standings(State.ARMED, State.OFF)],
+    ]);
+    expect(worstOf(0, [1, 2, 3], all)).toMatchObject({ robot: 2, alike: 1, of: 3 });
+    expect(worstOf(0, [1, 3], all)).toMatchObject({ robot: 1, alike: 2, of: 2 });
+    expect(worstOf(1, [1, 2, 3], all)).toMatchObject({ robot: 3, of: 1 });
+    expect(worstOf(1, [1, 2], all)).toBeUndefined();
+    expect(worstOf(0, [9], all)).toBeUndefined();
+  });
+  it("is summed up, the worst first", () => {
+    expect(summaryText(standings(State.ARMED, State.NEAR, State.ARMED, State.OTHERS))).toBe("1 near, 2 armed");
+    expect(summaryText(undefined)).toBe("");
+    expect(worstState(standings(State.ARMED, State.NEAR))).toBe(State.NEAR);
+    expect(worstState(undefined)).toBe(State.OTHERS);
+  });
+});
+
+describe("what is asked of the table", () => {
+  it("begins with what the first row is met by", () => {
+    expect(firstConditions(rows).fence).toMatchObject({ row: 0, side: "inside" });
+    expect(firstConditions([link]).lasting).toEqual({ "LINK-LOST": 6 });
+    expect(firstConditions([]).lasting).toEqual({});
+    expect(firstSeconds([link, { ...link, seconds: 30.5 }], "LINK-LOST")).toBe(32);
+  });
+  it("is what the table has conditions for", () => {
+    expect(askable(rows).map(([condition]) => condition)).toEqual(["LINK-LOST", "IN-CONTACT"]);
+    expect(fences(rows)).toEqual([["0", "1. Field"]]);
+  });
+  it("goes to the server in metres, seconds and radians", () => {
+    const at = { row: 0, side: "outside", distance: 2, bearing: 180, beginsThere: true } as const;
+    expect(orderOf(7, { lasting: { STUCK: 3 }, fence: at, speed: 2 })).toEqual({
+      robot: 7,
+      linkLost: 0,
+      inContact: 0,
+      stuck: 3,
+      speed: 2,
+      fence: { row: 0, depth: -2, bearing: Math.PI, beginsThere: true },
+    });
+    const inside = orderOf(7, { lasting: {}, fence: { ...at, side: "inside" }, speed: 1 });
+    expect(inside.fence).toMatchObject({ depth: 2, beginsThere: false });
+    expect(orderOf(7, { lasting: {}, fence: null, speed: 1 }).fence).toBeUndefined();
+  });
+});
+
+describe("what came of it", () => {
+  const trial = create(FailsafeTrialSchema, {
+    events: [
+      { time: 0.1, row: 2, what: What.MET },
+      { time: 0.1, row: 2, what: What.ACTS },
+      { time: 5, row: 1, what: What.MET },
+      { time: 5, row: 2, what: What.GIVES_WAY },
+      { time: 5, row: 1, what: What.ACTS },
+      { time: 8, row: 2, what: What.NOT_MET },
+    ],
+    rows: [standing(State.ARMED, 12), standing(State.ACTIVE, 100, 80), standing(State.ARMED, 100)],
+    seconds: 31,
+    drivenTo: 30.02,
+    stood: 30.4,
+  });
+  it("is told in the order of time, what is met and acts at once in one line", () => {
+    expect(moments(trial, rows).map(({ time, text, acts }) => [time, text, acts])).toEqual([
+      [0.1, "IN-CONTACT AFTER 0 HOLD is met, and acts", true],
+      [5, "LINK-LOST AFTER 5 RETURN is met, and acts", true],
+      [5, "IN-CONTACT AFTER 0 HOLD gives way", false],
+      [8, "IN-CONTACT AFTER 0 HOLD is no longer met", false],
+    ]);
+  });
+  it("says which row acts, and what becomes of the robot", () => {
+    expect(verdict(trial, rows)).toBe("LINK-LOST AFTER 5 RETURN acts.");
+    expect(ending(trial)).toBe("From 30.4 s on it stands, 30.0 m from where it was.");
+    expect(notMet(trial, rows)).toEqual(["OUTSIDE Field HOLD: 12 % of what it takes"]);
+  });
+  it("says that nothing acts, and that what acted is over", () => {
+    const nothing = create(FailsafeTrialSchema, { rows: [standing(State.ARMED)], seconds: 1, speed: 1, drivenTo: 1 });
+    expect(verdict(nothing, rows)).toBe("No row acts.");
+    expect(ending(nothing)).toBe("After 1 s it drives at 1.0 m/s, 1.0 m from where it was.");
+    const over = create(FailsafeTrialSchema, {
+      events: [
+        { time: 0.1, row: 2, what: What.ACTS },
+        { time: 2, row: 2, what: What.IS_OVER },
+      ],
+    });
+    expect(verdict(over, rows)).toBe("IN-CONTACT AFTER 0 HOLD acts, and is over again.");
+  });
+  it("tells where it stands at a fence, that its program has ended, and that nobody looked further", () => {
+    const stopped = create(FailsafeTrialSchema, {
+      stood: 2,
+      lastRoom: 0.31,
+      hasStopped: true,
+      isCut: true,
+      drivenTo: 5,
+    });
+    expect(ending(stopped)).toBe(
+      "From 2 s on it stands, 5.0 m from where it was, 0.3 m before the line. Its program has ended. " +
+        "Nobody looked any further: that would be too much work.",
+    );
+    expect([lineText(-2), lineText(-5.8e-13), lineText(0.04), lineText(120)]).toEqual([
+      "2.0 m beyond the line",
+      "at the line",
+      "at the line",
+      "120 m before the line",
+    ]);
+  });
+});

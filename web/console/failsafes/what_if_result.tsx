@@ -1,0 +1,40 @@
+import type { Failsafes_Row, FailsafeTrial } from "../../core/protocol.ts";
+import { Button } from "../../ui/controls/controls.tsx";
+import { useSession } from "../session/session.ts";
+import { seconds } from "./standings.ts";
+import { ending, moments, notMet, verdict } from "./what_if.ts";
+
+export function WhatIfResult({ trial, rows }: { trial: FailsafeTrial; rows: readonly Failsafes_Row[] }) {
+  const { ui } = useSession();
+  const happens = moments(trial, rows);
+  const missed = notMet(trial, rows);
+  return (
+    <div className="what-if-result" role="status">
+      <p className="what-if-verdict">{verdict(trial, rows)}</p>
+      {happens.length > 0 && (
+        <ol className="what-if-moments" aria-label="What happens">
+          {happens.map((moment, i) => (
+            <li key={`${i} ${moment.time}`}>
+              <span className="number muted">{seconds(moment.time)}</span>
+              <span className={moment.acts ? "acts" : ""}>{moment.text}</span>
+            </li>
+          ))}
+        </ol>
+      )}
+      <p>{ending(trial)}</p>
+      {missed.length > 0 && (
+        <div className="small muted">
+          Not met:
+          <ul>
+            {missed.map((line) => (
+              <li key={line}>{line}</li>
+            ))}
+          </ul>
+        </div>
+      )}
+      <Button tone="link" icon="centre" onPress={() => ui.get("map")?.framing.centreOn({ x: trial.x, y: trial.y })}>
+        Show where that is
+      </Button>
+    </div>
+  );
+}
