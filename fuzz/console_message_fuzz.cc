@@ -44,11 +44,13 @@ fs::path fresh_project() {
   fs::create_directories(kFolder / "project");
   std::ofstream(kFolder / "secret.odl") << "-- " << kSecret << "\n";
   std::ofstream(kFolder / "project" / "map.odl") << "SITE Fuzz\nMISSION-AREA 200 200\nCONTROL MEASURES:\nPP "
-                                                    "Here 50 50\nPP There 150 50\nOBSTACLE 100 60 3\n";
+                                                    "Here 50 50\nPP There 150 50\nOBSTACLE 100 60 3\n"
+                                                    "BOUNDARY Field 5 5 140 5 140 100 60 195 5 100 5 5\n";
   std::ofstream(kFolder / "project" / "m.mdl")
-      << "MISSION NAME Fuzz\nOVERLAY map.odl\nUNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT u START Here 0 "
+      << "MISSION NAME Fuzz\nOVERLAY map.odl\nFAILSAFE OUTSIDE Field REVERSE INSIDE\n"
+         "FAILSAFE LINK-LOST AFTER 2 RETURN\nFAILSAFE STUCK AFTER 3 HOLD\nFAILSAFE IN-CONTACT STOP\nUNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT u START Here 0 "
          "10\n"
-         "1. UNIT u MOVETO There\n2. UNIT u OCCUPY There\n3. UNIT u TELEOP\n";
+         "1. UNIT u MOVETO There\n2. UNIT u OCCUPY There\n3. UNIT u TELEOPERATE There\n";
   return kFolder / "project";
 }
 

@@ -20,6 +20,8 @@ const panels = [
   "Plots",
 ];
 
+const kRows = "FAILSAFE IN-CONTACT AFTER 100 CONTINUE\nFAILSAFE FOR ROBOT STUCK AFTER 500 HOLD\n";
+
 interface Violation {
   id: string;
   help: string;
@@ -45,7 +47,10 @@ async function theme(console: Console, name: "Light" | "Dark"): Promise<void> {
 
 for (const colours of ["Light", "Dark"] as const) {
   test(`every panel of a running mission is accessible, ${colours.toLowerCase()}`, async () => {
-    const { console } = await begin({ mission: "demo_c" });
+    const { console } = await begin({
+      mission: "demo_c",
+      prepare: (project) => project.write("demo_c.mdl", project.read("demo_c.mdl").replace(/^UNIT/m, `${kRows}UNIT`)),
+    });
     await theme(console, colours);
     await console.panel("Mission");
     await console.main.click();
@@ -64,6 +69,11 @@ for (const colours of ["Light", "Dark"] as const) {
       await selection.getByRole("tab", { name: tab }).click();
       found.push(...(await violations(console, tab)));
     }
+    const failsafes = await console.panel("Failsafes");
+    await failsafes.getByText("What it means").first().click();
+    await failsafes.getByRole("button", { name: "Try it" }).click();
+    await failsafes.getByRole("list", { name: "What happens" }).waitFor();
+    found.push(...(await violations(console, "what if")));
     await console.page.keyboard.press("Control+k");
     await console.page.getByRole("dialog", { name: "Search everything" }).waitFor();
     found.push(...(await violations(console, "palette")));

@@ -80,7 +80,7 @@ test("a row of the table goes from armed over near to active before the eyes of 
   await selection.getByRole("button", { name: "2 armed, 1 off" }).click();
   await panel.waitFor();
   await fence.getByText("What it means").click();
-  await fence.getByText(/^It holds while the robot is about to leave the area/).waitFor();
+  await fence.getByText(/^The robot is about to leave the area/).waitFor();
   await fence.getByRole("button", { name: "demo_c.mdl, line 3" }).click();
   await console.page.getByRole("region", { name: "Text", exact: true }).waitFor();
 });
@@ -98,16 +98,16 @@ test("conditions that a person sets are tried, and the run stays as it is", asyn
   await answer.getByText("OUTSIDE Field HOLD acts.").waitFor();
   await answer.getByText(/it stands, 4\.\d m from where it was, (at|0\.\d m before) the line\.$/).waitFor();
 
-  await whatIf.getByText("It is at a fence").click();
+  await whatIf.getByText("At a fence").click();
   await answer.waitFor({ state: "detached" });
-  await whatIf.getByText("The link is lost").click();
-  await whatIf.getByText("It is in contact").click();
+  await whatIf.getByText("Link lost").click();
+  await whatIf.getByText("In contact").click();
   const lengths = whatIf.getByRole("textbox", { name: "for [s]" });
   await lengths.nth(1).fill("0.2");
   await lengths.nth(1).press("Enter");
   await tryIt.click();
   await answer.getByText("LINK-LOST AFTER 5 RETURN acts.").waitFor();
-  await answer.getByText(/^IN-CONTACT AFTER 0.5 STOP: \d+ % of what it takes$/).waitFor();
+  await answer.getByText(/^IN-CONTACT AFTER 0.5 STOP \(\d+ %\)$/).waitFor();
   await lengths.nth(1).fill("1");
   await tryIt.click();
   await answer.getByText("IN-CONTACT AFTER 0.5 STOP is met, and acts").waitFor();
@@ -124,6 +124,6 @@ test("a mission without failsafes says how one is written", async () => {
   const panel = await console.panel("Failsafes");
   await panel.getByText("This mission has no failsafes.").waitFor();
   await panel.getByText(/FAILSAFE LINK-LOST AFTER 5 RETURN/).waitFor();
-  await panel.getByRole("button", { name: "Open the mission's text" }).click();
+  await panel.getByRole("button", { name: "Open the text" }).click();
   await console.page.getByRole("region", { name: "Text", exact: true }).waitFor();
 });

@@ -93,8 +93,12 @@ function Meaning({ row }: { row: Failsafes_Row }) {
   return (
     <details className="failsafe-meaning small">
       <summary>What it means</summary>
-      <p>{sentence(`it holds while ${row.means}`)}</p>
-      <p>{sentence(`then ${row.does}`)}</p>
+      <dl>
+        <dt>{row.condition}</dt>
+        <dd>{sentence(row.means)}</dd>
+        <dt>{row.action}</dt>
+        <dd>{sentence(row.does)}</dd>
+      </dl>
       {row.document !== "" && (
         <Button tone="link" icon="text" onPress={() => ui.set("reveal", { document: row.document, line: row.line })}>
           {row.document}, line {row.line}

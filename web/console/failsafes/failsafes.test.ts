@@ -19,6 +19,7 @@ import {
 } from "./standings.ts";
 import {
   askable,
+  doing,
   ending,
   fences,
   firstConditions,
@@ -39,6 +40,7 @@ const { rows } = create(FailsafesSchema, {
       mayLast: true,
       seconds: 5,
       action: "RETURN",
+      does: "it drives home",
     },
     { statement: "FAILSAFE IN-CONTACT AFTER 0 HOLD", condition: "IN-CONTACT", mayLast: true, action: "HOLD" },
   ],
@@ -59,7 +61,7 @@ describe("how a row stands", () => {
     expect(measureText(fence, 12.34)).toBe("12.3 m to the line");
     expect(measureText(fence, -0.4)).toBe("0.4 m beyond the line");
     expect(measureText(fence, 214)).toBe("214 m to the line");
-    expect(measureText(contact, 0)).toBe("not now");
+    expect([measureText(contact, 0), measureText(link, 0)]).toEqual(["not now", "not now"]);
     expect(measureText(contact, 1.24)).toBe("for 1.2 s");
   });
   it("says why nobody looks at it", () => {
@@ -150,12 +152,14 @@ describe("what came of it", () => {
   });
   it("says which row acts, and what becomes of the robot", () => {
     expect(verdict(trial, rows)).toBe("LINK-LOST AFTER 5 RETURN acts.");
+    expect(doing(trial, rows)).toBe("it drives home");
     expect(ending(trial)).toBe("From 30.4 s on it stands, 30.0 m from where it was.");
-    expect(notMet(trial, rows)).toEqual(["OUTSIDE Field HOLD: 12 % of what it takes"]);
+    expect(notMet(trial, rows)).toEqual(["OUTSIDE Field HOLD (12 %)"]);
   });
   it("says that nothing acts, and that what acted is over", () => {
     const nothing = create(FailsafeTrialSchema, { rows: [standing(State.ARMED)], seconds: 1, speed: 1, drivenTo: 1 });
     expect(verdict(nothing, rows)).toBe("No row acts.");
+    expect(doing(nothing, rows)).toBe("");
     expect(ending(nothing)).toBe("After 1 s it drives at 1.0 m/s, 1.0 m from where it was.");
     const over = create(FailsafeTrialSchema, {
       events: [

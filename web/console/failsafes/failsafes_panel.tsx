@@ -75,7 +75,7 @@ function NoRows({ hasMission }: { hasMission: boolean }) {
       </p>
       {mission && (
         <Button icon="text" onPress={() => ui.set("reveal", { document: mission.path, line: 1 })}>
-          Open the mission's text
+          Open the text
         </Button>
       )}
     </div>

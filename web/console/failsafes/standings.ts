@@ -88,8 +88,9 @@ export function measureText(row: Failsafes_Row, measure: number): string {
     const shown = metres >= 100 ? metres.toFixed(0) : metres.toFixed(1);
     return measure < 0 ? `${shown} m beyond the line` : `${shown} m to the line`;
   }
+  if (measure === 0) return "not now";
   if (row.seconds > 0) return `${measure.toFixed(1)} of ${seconds(row.seconds)}`;
-  return measure > 0 ? `for ${seconds(measure)}` : "not now";
+  return `for ${seconds(measure)}`;
 }
 
 /** `5 s`, `0.5 s`. */

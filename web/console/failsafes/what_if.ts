@@ -12,9 +12,9 @@ import { nameOf, seconds } from "./standings.ts";
 /** Conditions with a length, by the words of the table. */
 export type Lasting = "LINK-LOST" | "IN-CONTACT" | "STUCK";
 export const kLasting: readonly (readonly [Lasting, string])[] = [
-  ["LINK-LOST", "The link is lost"],
-  ["IN-CONTACT", "It is in contact"],
-  ["STUCK", "It is stuck"],
+  ["LINK-LOST", "Link lost"],
+  ["IN-CONTACT", "In contact"],
+  ["STUCK", "Stuck"],
 ];
 
 export interface Conditions {
@@ -122,6 +122,11 @@ export function verdict(trial: FailsafeTrial, rows: readonly Failsafes_Row[]): s
   return "No row acts.";
 }
 
+/** What the row that acts at the end makes the robot do; empty: none acts then. */
+export function doing(trial: FailsafeTrial, rows: readonly Failsafes_Row[]): string {
+  return rows.find((_, i) => trial.rows[i]?.state === State.ACTIVE)?.does ?? "";
+}
+
 /** What becomes of the robot. */
 export function ending(trial: FailsafeTrial): string {
   const { stood, lastRoom } = trial;
@@ -149,6 +154,6 @@ export function notMet(trial: FailsafeTrial, rows: readonly Failsafes_Row[]): re
   return trial.rows.flatMap((standing, i) => {
     const isMet = trial.events.some((event) => event.row === i && event.what !== What.NOT_MET);
     if (isMet || standing.state === State.OTHERS) return [];
-    return [`${nameOf(rows[i])}: ${standing.used} % of what it takes`];
+    return [`${nameOf(rows[i])} (${standing.used} %)`];
   });
 }

@@ -105,7 +105,7 @@ function FenceEntry({ rows, asked, change }: EntryProps) {
   return (
     <div className="what-if-condition">
       <Switch
-        label="It is at a fence"
+        label="At a fence"
         value={fence !== null}
         onChange={(isOn) => change({ fence: isOn ? firstFence(rows) : null })}
       />
@@ -118,7 +118,7 @@ function FenceEntry({ rows, asked, change }: EntryProps) {
             onChange={(row) => set({ row: Number(row) })}
           />
           <SelectEntry
-            label="Side of the line"
+            label="Side"
             value={fence.side}
             choices={[
               ["inside", "Inside"],
@@ -127,7 +127,7 @@ function FenceEntry({ rows, asked, change }: EntryProps) {
             onChange={(side) => set({ side })}
           />
           <NumberEntry
-            label="From the line [m]"
+            label="Distance [m]"
             value={fence.distance}
             min={0}
             max={kMost.distance}
@@ -140,11 +140,13 @@ function FenceEntry({ rows, asked, change }: EntryProps) {
             max={kMost.bearing}
             onCommit={(bearing) => set({ bearing })}
           />
-          <p className="small muted wide">Heading 0 is straight out, 90 along the line, 180 straight in.</p>
+          <p className="small muted wide">
+            The distance is from the line. Heading 0 is straight out, 90 along the line, 180 straight in.
+          </p>
           {fence.side === "outside" && (
             <div className="wide">
               <Switch
-                label="It is started there"
+                label="Started there"
                 value={fence.beginsThere}
                 onChange={(beginsThere) => set({ beginsThere })}
               />

@@ -1,16 +1,21 @@
 import type { Failsafes_Row, FailsafeTrial } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
+import { sentence } from "../../ui/words/sentence.ts";
 import { useSession } from "../session/session.ts";
 import { seconds } from "./standings.ts";
-import { ending, moments, notMet, verdict } from "./what_if.ts";
+import { doing, ending, moments, notMet, verdict } from "./what_if.ts";
 
 export function WhatIfResult({ trial, rows }: { trial: FailsafeTrial; rows: readonly Failsafes_Row[] }) {
   const { ui } = useSession();
   const happens = moments(trial, rows);
+  const does = doing(trial, rows);
   const missed = notMet(trial, rows);
   return (
     <div className="what-if-result" role="status">
-      <p className="what-if-verdict">{verdict(trial, rows)}</p>
+      <div>
+        <p className="what-if-verdict">{verdict(trial, rows)}</p>
+        {does !== "" && <p className="small muted">{sentence(does)}</p>}
+      </div>
       {happens.length > 0 && (
         <ol className="what-if-moments" aria-label="What happens">
           {happens.map((moment, i) => (
@@ -24,7 +29,7 @@ export function WhatIfResult({ trial, rows }: { trial: FailsafeTrial; rows: read
       <p>{ending(trial)}</p>
       {missed.length > 0 && (
         <div className="small muted">
-          Not met:
+          Not met, and how much of what it takes there was:
           <ul>
             {missed.map((line) => (
               <li key={line}>{line}</li>
