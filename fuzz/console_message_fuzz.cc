@@ -48,7 +48,8 @@ fs::path fresh_project() {
                                                     "BOUNDARY Field 5 5 140 5 140 100 60 195 5 100 5 5\n";
   std::ofstream(kFolder / "project" / "m.mdl")
       << "MISSION NAME Fuzz\nOVERLAY map.odl\nFAILSAFE OUTSIDE Field REVERSE INSIDE\n"
-         "FAILSAFE LINK-LOST AFTER 2 RETURN\nFAILSAFE STUCK AFTER 3 HOLD\nFAILSAFE IN-CONTACT STOP\nUNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT u START Here 0 "
+         "FAILSAFE LINK-LOST AFTER 2 RETURN\nFAILSAFE STUCK AFTER 3 HOLD\nFAILSAFE IN-CONTACT STOP\nUNIT <u> "
+         "ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT u START Here 0 "
          "10\n"
          "1. UNIT u MOVETO There\n2. UNIT u OCCUPY There\n3. UNIT u TELEOPERATE There\n";
   return kFolder / "project";

@@ -65,7 +65,7 @@ test("a row of the table goes from armed over near to active before the eyes of 
   await fence.getByText("Off", { exact: true }).waitFor();
   await console.main.click();
   await fence.getByText("Armed", { exact: true }).waitFor();
-  await panel.getByTestId("failsafe-2").getByText("looked at with --real-time only").waitFor();
+  await panel.getByTestId("failsafe-2").getByText("looked at in real time only").waitFor();
   await fence.getByText("Near", { exact: true }).waitFor();
   await fence.getByText(/^0\.\d m to the line$/).waitFor();
   await fence.getByText("Active", { exact: true }).waitFor();

@@ -154,8 +154,7 @@ RowStanding Failsafes::standing(std::size_t row, const Situation& situation, con
   if ((situation.rows >> row & 1U) == 0) return out;
   if (rows_[row].condition == FailsafeCondition::kOutside) {
     const double room = fences_[row].depth(situation.motion.pose.position) - situation.radius;
-    const double needed =
-        Fence::reach(*situation.kinematics, action, situation.motion, dt) + kTurnsBack;
+    const double needed = Fence::reach(*situation.kinematics, action, situation.motion, dt) + kTurnsBack;
     out.measure = room;
     out.used = room > needed ? needed / room : 1.0;
   } else {
@@ -163,11 +162,11 @@ RowStanding Failsafes::standing(std::size_t row, const Situation& situation, con
     out.measure = state.held[row];
     out.used = state.is_met[row] ? 1.0 : seconds > 0.0 ? std::min(state.held[row] / seconds, 1.0) : 0.0;
   }
-  out.state = state.active == row                      ? State::kActive
-              : (state.waiting >> row & 1U) != 0       ? State::kWaiting
-              : state.is_met[row]                      ? State::kOverruled
-              : out.used >= RowStanding::kNearFrom     ? State::kNear
-                                                       : State::kArmed;
+  out.state = state.active == row                  ? State::kActive
+              : (state.waiting >> row & 1U) != 0   ? State::kWaiting
+              : state.is_met[row]                  ? State::kOverruled
+              : out.used >= RowStanding::kNearFrom ? State::kNear
+                                                   : State::kArmed;
   return out;
 }
 

@@ -97,7 +97,8 @@ std::vector<RowStanding> Fleet::standings(const FleetRobot& robot, double dt) co
     RowStanding& row = out.emplace_back(failsafes_.standing(i, now, robot.action, dt, robot.failsafe));
     const bool is_link = failsafes_.rows()[i].condition == mission::FailsafeCondition::kLinkLost;
     const bool is_looked_at = is_guarded && (!is_link || may_be_silent);
-    if (!is_looked_at && row.state != State::kOthers && row.state != State::kActive) row = {.state = State::kOff};
+    if (!is_looked_at && row.state != State::kOthers && row.state != State::kActive)
+      row = {.state = State::kOff};
   }
   return out;
 }

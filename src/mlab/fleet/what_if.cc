@@ -128,7 +128,9 @@ class Trial {
   void begin(const geom::Pose& from) {
     now_.motion = {from, {}};
     const double limit = now_.kinematics->max_speed;
-    const double speed = asked_.stuck > 0.0 ? 0.0 : limit > 0.0 ? std::min(asked_.speed, limit) : asked_.speed;
+    const double speed = asked_.stuck > 0.0 ? 0.0
+                         : limit > 0.0      ? std::min(asked_.speed, limit)
+                                            : asked_.speed;
     now_.motion.momentum.velocity = Offset{std::cos(from.heading), std::sin(from.heading)} * speed;
     now_.motion.momentum.speed = speed;
     state_.has_begun = !(asked_.fence && asked_.fence->begins_there);
@@ -181,15 +183,16 @@ class Trial {
       action_ = {};
     }
     for (std::size_t i = 0; i < out_.most_used.size(); ++i)
-      out_.most_used[i] = std::max(out_.most_used[i], failsafes_.standing(i, now_, action_, dt_, state_).used);
+      out_.most_used[i] =
+          std::max(out_.most_used[i], failsafes_.standing(i, now_, action_, dt_, state_).used);
   }
 
   // By the laws that the simulator has.
   void move() {
     geom::Pose& pose = now_.motion.pose;
     const binding::WantedMotion motion =
-        binding::drive(*now_.kinematics, action_, pose.heading, {std::cos(pose.heading), std::sin(pose.heading)},
-                       now_.motion.momentum, dt_);
+        binding::drive(*now_.kinematics, action_, pose.heading,
+                       {std::cos(pose.heading), std::sin(pose.heading)}, now_.motion.momentum, dt_);
     pose.position = pose.position + motion.step;
     pose.heading = motion.heading;
     now_.motion.momentum = motion.momentum;

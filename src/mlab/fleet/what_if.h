@@ -21,10 +21,10 @@ struct WhatIf {
   double speed = 1.0;       ///< with which it drives, as far as its body can, and wants to go on [m/s], >= 0
   /// It is near to a fence; else it is where it is.
   struct AtFence {
-    std::size_t row = 0;       ///< of the table; OUTSIDE
-    double depth = 0.0;        ///< of its middle: how far inside the line, beyond it less than 0 [m]
-    double bearing = 0.0;      ///< its heading, counter-clockwise from straight out [rad]
-    bool begins_there = false; ///< it is started there; else it has come there
+    std::size_t row = 0;        ///< of the table; OUTSIDE
+    double depth = 0.0;         ///< of its middle: how far inside the line, beyond it less than 0 [m]
+    double bearing = 0.0;       ///< its heading, counter-clockwise from straight out [rad]
+    bool begins_there = false;  ///< it is started there; else it has come there
   };
   std::optional<AtFence> fence = std::nullopt;
 
@@ -56,9 +56,9 @@ struct WhatIfEvent {
 struct WhatIfOutcome {
   std::vector<WhatIfEvent> events;  ///< in the order of time; the first kMostEvents
   std::vector<RowStanding> rows;    ///< at the end
-  std::vector<double> most_used;    ///< by row: of what it takes, the most that was used up at any time, 0 .. 1
-  double seconds = 0.0;             ///< so long it was watched
-  bool is_cut = false;              ///< it would have gone on, but that would have been too much work
+  std::vector<double> most_used;  ///< by row: of what it takes, the most that was used up at any time, 0 .. 1
+  double seconds = 0.0;           ///< so long it was watched
+  bool is_cut = false;            ///< it would have gone on, but that would have been too much work
   geom::Pose from;
   geom::Pose to;                ///< at the end
   double speed = 0.0;           ///< at the end [m/s]

@@ -179,7 +179,8 @@ TEST(WhatIf, WhatCantBeTriedIsRefusedWithWhatIsExpected) {
   EXPECT_EQ(error({.fence = WhatIf::AtFence{.row = 7}}), "row 8 of the table is no OUTSIDE");
   EXPECT_EQ(error({.fence = WhatIf::AtFence{.depth = kNaN}}),
             "the distance from the line is a number from -1000 to 1000 m");
-  EXPECT_EQ(error({.fence = WhatIf::AtFence{.bearing = 7.0}}), "the heading is an angle of at most a full turn");
+  EXPECT_EQ(error({.fence = WhatIf::AtFence{.bearing = 7.0}}),
+            "the heading is an angle of at most a full turn");
   EXPECT_EQ(error({.fence = WhatIf::AtFence{.depth = 31.0}}),
             "`Field` has no place that is 31 m within its line: come nearer to it");
   robot.situation.rows = 0b10;
@@ -215,9 +216,13 @@ RC_GTEST_PROP(WhatIf, EndsInFiniteNumbersWhateverIsAsked, (const std::vector<int
   robot.kinematics.drive = static_cast<binding::Drive>(bits.size() % 4);
   robot.kinematics.axle = 0.4;
   robot.kinematics.max_acceleration = some(0, 4.0);
-  WhatIf asked = {.link_lost = some(1, 20.0), .in_contact = some(2, 20.0), .stuck = some(3, 20.0), .speed = some(4, 50.0)};
+  WhatIf asked = {.link_lost = some(1, 20.0),
+                  .in_contact = some(2, 20.0),
+                  .stuck = some(3, 20.0),
+                  .speed = some(4, 50.0)};
   if (bits.size() > 5)
-    asked.fence = WhatIf::AtFence{.depth = some(5, 60.0) - 31.0, .bearing = some(6, 6.0), .begins_there = some(7, 1.0) > 0.5};
+    asked.fence = WhatIf::AtFence{
+        .depth = some(5, 60.0) - 31.0, .bearing = some(6, 6.0), .begins_there = some(7, 1.0) > 0.5};
   const auto outcome = robot.asked(asked);
   if (!outcome) return;
   RC_ASSERT(std::isfinite(outcome->to.position.x) && std::isfinite(outcome->to.position.y));

@@ -179,8 +179,8 @@ TEST(WhatIfOfARun, ForetellsWhereARobotStandsBeforeItsFence) {
   for (const FailsafeAction action : {FailsafeAction::kHold, FailsafeAction::kReverseInside}) {
     Drive drive({row(FailsafeCondition::kOutside, action)});
     drive.step_until([&] { return drive.x() > 51.0; });
-    const fleet::WhatIfOutcome foretold = drive.what_if(
-        {.speed = 4.0, .fence = fleet::WhatIf::AtFence{.depth = 60.0 - drive.x()}});
+    const fleet::WhatIfOutcome foretold =
+        drive.what_if({.speed = 4.0, .fence = fleet::WhatIf::AtFence{.depth = 60.0 - drive.x()}});
     const int cycles = drive.step_until([&] { return drive.acts(); });
     EXPECT_NEAR(when_it_acts(foretold), cycles * 0.1, 1e-6);
     drive.go(20.0);

@@ -1,4 +1,4 @@
-import type { Failsafes_Row } from "../../core/protocol.ts";
+import { FailsafeStandings_State, type Failsafes_Row } from "../../core/protocol.ts";
 import { Bar, Button } from "../../ui/controls/controls.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
 import { usePart, useSession } from "../session/session.ts";
@@ -45,7 +45,10 @@ function Row({ row, rank, worst, robots }: RowProps) {
             <code>
               {row.condition} {row.fence}
             </code>{" "}
-            {thresholdText(row)} <span aria-hidden="true">→</span> <code>{row.action}</code>
+            <span className="unbroken">{thresholdText(row)}</span>{" "}
+            <span className="unbroken">
+              <span aria-hidden="true">→</span> <code>{row.action}</code>
+            </span>
           </p>
           {worst && <StatePill worst={worst} />}
         </div>
@@ -78,7 +81,7 @@ function StandingLine({ row, worst, isOne }: { row: Failsafes_Row; worst: Worst;
     <>
       {text !== "" && (
         <p className="small muted number">
-          {isOne ? "" : `${roster.nameOf(robot)}: `}
+          {isOne || standing.state === FailsafeStandings_State.OFF ? "" : `${roster.nameOf(robot)}: `}
           {text}
         </p>
       )}

@@ -65,7 +65,7 @@ describe("how a row stands", () => {
     expect(measureText(contact, 1.24)).toBe("for 1.2 s");
   });
   it("says why nobody looks at it", () => {
-    expect(standingText(link, first(State.OFF), false)).toBe("looked at with --real-time only");
+    expect(standingText(link, first(State.OFF), false)).toBe("looked at in real time only");
     expect(standingText(link, first(State.OFF), true)).toBe("looked at while the robot runs");
     expect(standingText(fence, first(State.OFF), false)).toBe("looked at while the robot runs");
   });
@@ -148,6 +148,19 @@ describe("what came of it", () => {
       [5, "LINK-LOST AFTER 5 RETURN is met, and acts", true],
       [5, "IN-CONTACT AFTER 0 HOLD gives way", false],
       [8, "IN-CONTACT AFTER 0 HOLD is no longer met", false],
+    ]);
+  });
+  it("tells of a row that is over that alone", () => {
+    const over = create(FailsafeTrialSchema, {
+      events: [
+        { time: 2, row: 2, what: What.NOT_MET },
+        { time: 2, row: 2, what: What.IS_OVER },
+        { time: 2, row: 1, what: What.NOT_MET },
+      ],
+    });
+    expect(moments(over, rows).map(({ text }) => text)).toEqual([
+      "IN-CONTACT AFTER 0 HOLD is over",
+      "LINK-LOST AFTER 5 RETURN is no longer met",
     ]);
   });
   it("says which row acts, and what becomes of the robot", () => {

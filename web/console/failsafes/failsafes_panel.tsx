@@ -48,9 +48,11 @@ function Whose({ robots, unit }: { robots: readonly number[]; unit: string }) {
   );
 }
 
-const kSample = `FAILSAFE IN-CONTACT AFTER 0.5 HOLD
-FAILSAFE STUCK AFTER 60 STOP
-FAILSAFE LINK-LOST AFTER 5 RETURN`;
+const kSample = [
+  "FAILSAFE IN-CONTACT AFTER 0.5 HOLD",
+  "FAILSAFE STUCK AFTER 60 STOP",
+  "FAILSAFE LINK-LOST AFTER 5 RETURN",
+];
 
 function NoRows({ hasMission }: { hasMission: boolean }) {
   const { ui } = useSession();
@@ -69,7 +71,11 @@ function NoRows({ hasMission }: { hasMission: boolean }) {
         What a robot does when something is wrong, whatever its program wants then, stands in the mission's preamble,
         the highest rank first:
       </p>
-      <pre className="failsafe-sample">{kSample}</pre>
+      <div className="failsafe-sample">
+        {kSample.map((line) => (
+          <code key={line}>{line}</code>
+        ))}
+      </div>
       <p className="small">
         <code>FAILSAFE OUTSIDE Field HOLD</code> keeps robots within a closed BOUNDARY of the overlay.
       </p>

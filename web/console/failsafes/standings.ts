@@ -70,7 +70,7 @@ export function standingText(row: Failsafes_Row, standing: FailsafeStandings_Sta
   const { state } = standing;
   if (state === State.OFF) {
     const isOfLink = row.condition === "LINK-LOST" && !isRealTime;
-    return isOfLink ? "looked at with --real-time only" : "looked at while the robot runs";
+    return isOfLink ? "looked at in real time only" : "looked at while the robot runs";
   }
   const measured = measureText(row, standing.measure / 10);
   if (state === State.WAITING) return [measured, "a row above it acts"].filter(Boolean).join(", ");

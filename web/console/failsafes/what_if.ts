@@ -90,17 +90,15 @@ export interface Moment {
   acts: boolean;
 }
 
-/** What happens, in the order of time; a row that is met and acts at once is told once. */
+/** What happens, in the order of time; what follows from the same cycle is told once. */
 export function moments(trial: FailsafeTrial, rows: readonly Failsafes_Row[]): readonly Moment[] {
-  const acts = (row: number, time: number) =>
-    trial.events.some((one) => one.what === What.ACTS && one.row === row && one.time === time);
   return trial.events.flatMap(({ time, row, what }) => {
-    const name = nameOf(rows[row]);
-    const isTold =
-      what === What.ACTS && trial.events.some((e) => e.what === What.MET && e.row === row && e.time === time);
-    if (isTold) return [];
-    const now = what === What.MET && acts(row, time) ? `${name} is met, and acts` : `${name} ${kHappens[what]}`;
-    return [{ time, row, text: now, acts: what === What.ACTS || (what === What.MET && acts(row, time)) }];
+    const isWith = (other: What) =>
+      trial.events.some((event) => event.what === other && event.row === row && event.time === time);
+    if ((what === What.ACTS && isWith(What.MET)) || (what === What.NOT_MET && isWith(What.IS_OVER))) return [];
+    const actsAtOnce = what === What.MET && isWith(What.ACTS);
+    const text = `${nameOf(rows[row])} ${actsAtOnce ? "is met, and acts" : kHappens[what]}`;
+    return [{ time, row, text, acts: actsAtOnce || what === What.ACTS }];
   });
 }
 

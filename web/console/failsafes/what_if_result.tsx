@@ -2,7 +2,6 @@ import type { Failsafes_Row, FailsafeTrial } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
 import { useSession } from "../session/session.ts";
-import { seconds } from "./standings.ts";
 import { doing, ending, moments, notMet, verdict } from "./what_if.ts";
 
 export function WhatIfResult({ trial, rows }: { trial: FailsafeTrial; rows: readonly Failsafes_Row[] }) {
@@ -20,7 +19,7 @@ export function WhatIfResult({ trial, rows }: { trial: FailsafeTrial; rows: read
         <ol className="what-if-moments" aria-label="What happens">
           {happens.map((moment, i) => (
             <li key={`${i} ${moment.time}`}>
-              <span className="number muted">{seconds(moment.time)}</span>
+              <span className="number muted">{moment.time.toFixed(1)} s</span>
               <span className={moment.acts ? "acts" : ""}>{moment.text}</span>
             </li>
           ))}
