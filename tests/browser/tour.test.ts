@@ -13,10 +13,11 @@ let projects: Project[] = [];
 let tour: Console;
 
 /** A console beside a new mlab: with a mission that comes with mlab, or without any. */
-async function open(mission: string, ...options: string[]): Promise<Console> {
+async function open(mission: string, prepare?: (project: Project) => void): Promise<Console> {
   const project = new Project(mission);
+  prepare?.(project);
   const file = mission === "" ? [] : [project.path(`${mission}.mdl`)];
-  const mlab = await Mlab.start(...file, "--project", project.folder, ...options);
+  const mlab = await Mlab.start(...file, "--project", project.folder);
   projects.push(project);
   servers.push(mlab);
   return look(mlab);
@@ -290,4 +291,38 @@ test("an overlay is drawn on an empty map", async () => {
   await drawing.panel("Text");
   await drawing.camera();
   await picture(page, "draw");
+});
+
+const kGuarded = `MISSION NAME "Guarded"
+OVERLAY demo_c.odl
+FAILSAFE OUTSIDE Field REVERSE INSIDE
+FAILSAFE LINK-LOST AFTER 5 RETURN
+FAILSAFE IN-CONTACT AFTER 2 HOLD
+UNIT <scouts> ROBOT ROBOT
+COMMAND LIST:
+  0. UNIT scouts START 120 100 0 -40
+  1. UNIT scouts MOVETO 300 80 FORMATION Line
+`;
+const kField = `MISSION-AREA 320 200
+CONTROL MEASURES:
+BOUNDARY Field 20 20 200 20 200 180 20 180 20 20
+`;
+
+test("failsafes show how they stand, and what they would do", async () => {
+  const guarded = await open("demo_c", (project) => {
+    project.write("demo_c.mdl", kGuarded);
+    project.write("demo_c.odl", kField);
+  });
+  const { page } = guarded;
+  await guarded.main.click();
+  const failsafes = await guarded.panel("Failsafes");
+  await guarded.select("Robot 1");
+  const fence = failsafes.getByTestId("failsafe-1");
+  await fence.getByText("Active", { exact: true }).waitFor();
+  await failsafes.getByRole("button", { name: "Try it" }).click();
+  const answer = failsafes.getByRole("status");
+  await answer.getByText("OUTSIDE Field REVERSE INSIDE acts.").waitFor();
+  await fence.scrollIntoViewIfNeeded();
+  await picture(page, "failsafes");
+  await answer.getByText(/it stands, .* 3\.\d m before the line\.$/).waitFor();
 });
