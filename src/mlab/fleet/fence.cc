@@ -15,9 +15,8 @@ namespace {
 using geom::Offset;
 using geom::Point;
 
-constexpr double kSlack = 1e-6;            // of sums of steps [m]
-constexpr int kMostStepsToStand = 10'000;  // of bodies that hardly brake
-constexpr double kStands = 1e-6;           // slower than this [m/s]
+constexpr double kSlack = 1e-6;   // of sums of steps [m]
+constexpr double kStands = 1e-6;  // slower than this [m/s]
 
 Offset ahead_of(double heading) {
   return {std::cos(heading), std::sin(heading)};
@@ -212,7 +211,6 @@ bool Fence::allows(const binding::Kinematics& kinematics, const percept::Action&
     return border.lets(body.place() + *braking);
   const Offset rest = body.rest(dt);
   for (int i = 0; body.speed() > kStands; ++i) {
-    // Nobody knows where one comes to stand that brakes for longer.
     if (i == kMostStepsToStand) return false;
     if (!go(body.step({}, dt), dt)) return false;
   }

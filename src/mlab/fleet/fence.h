@@ -21,6 +21,9 @@ struct Motion {
 /// one brakes: so it stands before the line, from any speed, as long as it can brake as its kinematics say.
 class Fence {
  public:
+  /// Nobody knows where a body comes to stand that brakes for more cycles: it is not allowed what it wants.
+  static constexpr int kMostStepsToStand = 10'000;
+
   /// @param corners  at least three; the line closes by itself
   explicit Fence(std::span<const geom::Point> corners);
 

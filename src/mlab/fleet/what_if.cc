@@ -21,7 +21,7 @@ using What = WhatIfEvent::What;
 
 constexpr double kStandsStill = 1e-3;  // slower than this [m/s]
 constexpr double kAfterwards = 1.0;    // it is watched for so long at least when all is over [s]
-constexpr double kMostWork = 4e6;      // sides of fences that are looked at
+constexpr double kMostWork = 4e6;      // as in work_of_cycle: less than a person would notice
 
 bool is_within(double value, double low, double high) {
   return value >= low && value <= high;  // false for what is no number
@@ -205,14 +205,44 @@ class Trial {
     return out_.stood && (!action_.drives || out_.has_stopped);
   }
 
-  // In sides of fences, at the most: where it brakes on a curve each of the steps is held against them.
+  // In looks at a side of a fence, at the most: where the body may brake on a curve, each step of that is
+  // held against the fences that are near.
   double work_of_cycle() const {
-    double sides = 0.0;
-    for (const mission::Failsafe& row : failsafes_.rows()) sides += static_cast<double>(row.fence.size());
-    const double slower = now_.kinematics->max_acceleration * dt_;
-    const bool is_curved = now_.motion.momentum.turn_rate != 0.0 || action_.spins;
-    const double steps = is_curved && slower > 0.0 ? speed() / slower : 1.0;
-    return sides * (4.0 + 2.0 * steps);
+    constexpr double kLooks = 6.0;        // at each side, for how far it is
+    constexpr double kLooksOfStep = 5.0;  // at each side, for whether a step keeps off it
+    constexpr double kStep = 20.0;        // to know where it leads
+    const double steps = steps_to_stand();
+    const double far = reach();
+    double out = kLooks;
+    for (std::size_t i = 0; i < failsafes_.rows().size(); ++i) {
+      const auto sides = static_cast<double>(failsafes_.rows()[i].fence.size());
+      out += kLooks * (1.0 + sides);
+      if (sides <= 0.0 || failsafes_.fence(i).depth(now_.motion.pose.position) - now_.radius > far) continue;
+      out += 2.0 * steps * (kLooksOfStep * sides + kStep);
+    }
+    return out;
+  }
+  // The fastest that it drives in the coming cycle [m/s].
+  double most_speed() const {
+    const double wanted = std::max({asked_.speed, now_.cruise_speed, 1.0});
+    const double limit = now_.kinematics->max_speed;
+    return std::max(
+        {limit > 0.0 ? std::min(wanted, limit) : wanted, speed(), std::abs(now_.motion.momentum.speed)});
+  }
+  double reach() const {
+    percept::Action fastest;
+    fastest.drives = true;
+    fastest.velocity.x = most_speed();
+    return Fence::reach(*now_.kinematics, fastest, now_.motion, dt_);
+  }
+  // Of those that are known only one by one.
+  double steps_to_stand() const {
+    const binding::Kinematics& kinematics = *now_.kinematics;
+    const double slower = kinematics.max_acceleration * dt_;
+    const bool is_straight = kinematics.drive == binding::Drive::kHolonomic ||
+                             kinematics.max_turn_acceleration <= 0.0 || slower <= 0.0;
+    const double now = std::max(speed(), std::abs(now_.motion.momentum.speed));
+    return is_straight ? 1.0 : std::min(now / slower + 2.0, static_cast<double>(Fence::kMostStepsToStand));
   }
 
   void finish() {

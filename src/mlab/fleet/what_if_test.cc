@@ -198,6 +198,14 @@ TEST(WhatIf, WhatWouldBeTooMuchWorkIsCut) {
   const WhatIfOutcome many_sides = robot.of({.link_lost = 600.0, .fence = WhatIf::AtFence{.depth = 1.0}});
   EXPECT_TRUE(many_sides.is_cut);
   EXPECT_LT(many_sides.seconds, 600.0);
+  Tried hardly_brakes(std::vector(16, rule(FailsafeCondition::kOutside, FailsafeAction::kReverseInside)));
+  hardly_brakes.kinematics = {
+      .drive = binding::Drive::kCar, .max_acceleration = 5e-4, .max_turn_acceleration = 0.01};
+  const auto small_steps = hardly_brakes.asked(
+      {.link_lost = 600.0, .speed = 0.5, .fence = WhatIf::AtFence{.depth = 1.0, .bearing = 1.5}}, 0.001);
+  ASSERT_TRUE(small_steps);
+  EXPECT_TRUE(small_steps->is_cut);
+  EXPECT_LT(small_steps->seconds, 1.0);
   Tried quick({rule(FailsafeCondition::kStuck, FailsafeAction::kHold, 2.0)});
   const auto short_cycles = quick.asked({.stuck = 600.0}, 0.001);
   ASSERT_TRUE(short_cycles);
