@@ -6,13 +6,18 @@ if(MLAB_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Paths count from the clone's own folder, so that clones share what they compiled.
   set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${MLAB_CCACHE})
 endif()
-if(MLAB_MOLD)
+# GCC for another machine looks for linkers of that machine's own only.
+if(MLAB_MOLD AND NOT CMAKE_CROSSCOMPILING)
   add_link_options(-fuse-ld=mold)
 endif()
 
 add_library(mlab_options INTERFACE)
 # -ffp-contract=off: the same arithmetic everywhere, so that a run repeats bit for bit.
 target_compile_options(mlab_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  # On ARM a `char` has no sign unless it is asked for.
+  target_compile_options(mlab_options INTERFACE -fsigned-char)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Clang builds only for sanitizers and fuzzers; what it alone warns about is clang-tidy's business.
   # -Wrestrict: GCC 12 sees overlapping copies in std::string's own operator+ (GCC bug 105329).
@@ -75,8 +80,8 @@ function(mlab_module name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(mlab_${name} ${scope} ${arg_LINK})
   target_compile_features(mlab_${name} INTERFACE cxx_std_23)
-  # Headers hold arithmetic too, so who uses them rounds the same way.
-  target_compile_options(mlab_${name} INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
+  # Headers hold arithmetic too, so who uses them computes the same way.
+  target_compile_options(mlab_${name} INTERFACE "$<INSTALL_INTERFACE:-ffp-contract=off;-fsigned-char>")
   add_library(mlab::${name} ALIAS mlab_${name})
 
   set_target_properties(mlab_${name} PROPERTIES EXPORT_NAME ${name})

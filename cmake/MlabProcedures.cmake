@@ -5,9 +5,15 @@
 # and all together the function
 #   std::span<const mlab::flow::Behavior* const> mlab_<TARGET>_behaviors();
 # where a leading `mlab_` of TARGET is not repeated. TARGET has to link mlab::schema itself.
-# The compiler is the target `cnlc`, or `mlab::cnlc` where the project is used through find_package(mlab).
+# The compiler is the target `cnlc`, or `mlab::cnlc` where the project is used through find_package(mlab). Where all that is
+# built is for another machine, MLAB_CNLC is one that this machine can run.
+set(MLAB_CNLC "" CACHE FILEPATH "a cnlc that runs on this machine, to build for another one")
 function(mlab_add_procedures target)
-  if(TARGET cnlc)
+  if(MLAB_CNLC)
+    set(compiler ${MLAB_CNLC})
+  elseif(CMAKE_CROSSCOMPILING)
+    message(FATAL_ERROR "MLAB_CNLC is not set: to build for another machine, it names a cnlc that this one can run")
+  elseif(TARGET cnlc)
     set(compiler cnlc)
   else()
     set(compiler mlab::cnlc)
