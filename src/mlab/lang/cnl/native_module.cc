@@ -61,6 +61,7 @@ class NativeBuild {
               "-O2",
               "-fPIC",
               "-ffp-contract=off",
+              "-fsigned-char",    // as ours
               "-fno-exceptions",  // nobody would catch one: the process would end
               "-fvisibility=hidden",
               "-Wall",

@@ -119,6 +119,7 @@ class ExecutableBuild {
   std::vector<std::string> flags_of(const CppFile& file) const {
     std::vector<std::string> flags = {"-std=c++23",
                                       "-ffp-contract=off",
+                                      "-fsigned-char",
                                       "-fno-exceptions",
                                       "-Wall",
                                       "-fno-diagnostics-show-caret",
