@@ -16,6 +16,9 @@ Findings uncommented_types(const Tree& tree);
 /// Modules (folders of `src/mlab` with a CMakeLists.txt) without a README.md, or with one past 30 lines.
 Findings modules_without_readme(const Tree& tree);
 
+/// Functions of <cmath> that are rounded otherwise on another processor, in what the product computes.
+Findings unequal_arithmetic(const Tree& tree);
+
 /// Headers that nothing keeps from being read twice.
 Findings unguarded_headers(const Tree& tree);
 

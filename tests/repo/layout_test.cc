@@ -62,6 +62,19 @@ TEST(Layout, AModuleWithoutAReadmeIsFound) {
             Findings{});
 }
 
+TEST(Layout, NothingComputesWhatOtherProcessorsRoundOtherwise) {
+  EXPECT_EQ(unequal_arithmetic(project()), Findings{});
+}
+TEST(Layout, AFunctionThatOtherProcessorsRoundOtherwiseIsFound) {
+  const std::string text =
+      "double f(double x) { return std::sqrt(x); }\ndouble g(double x) { return std::cbrt(x); }\n";
+  const Findings findings = unequal_arithmetic(
+      {{"src/mlab/geom/a.h", text}, {"src/mlab/geom/a_test.cc", text}, {"tests/cli/a.cc", text}});
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].path, "src/mlab/geom/a.h");
+  EXPECT_EQ(findings[0].line, 2U);
+}
+
 TEST(Layout, EveryHeaderIsGuarded) {
   EXPECT_EQ(unguarded_headers(project()), Findings{});
 }
