@@ -137,6 +137,34 @@ TEST_F(Fleets, ANameIsTakenOnce) {
       << second.errors();
 }
 
+// Debian's C library computes as on a processor without FMA where it is told so.
+TEST_F(Fleets, AMachineThatComputesOtherwiseCarriesRobotsInRealTimeOnly) {
+#ifdef __x86_64__
+  if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this processor has no FMA to be without";
+#else
+  GTEST_SKIP() << "every processor of this kind has FMA";
+#endif
+  make_network(14);
+  const Process north = net().host("north").start(
+      {MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "north", "--network",
+       net().host("north").address()},
+      {.environment = {{"XDG_STATE_HOME", kAgentState},
+                       {"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-FMA_Usable,-AVX2_Usable"}}});
+  ASSERT_TRUE(north.prints("waits for runs", kFleetPatience)) << north.output() << north.errors();
+  Process exact = run(mission("patrol"), {"--patience", "50"});
+  auto ending = exact.wait(kFleetPatience);
+  ASSERT_TRUE(ending);
+  EXPECT_EQ(ending->words(), "exit status 1");
+  EXPECT_NE(exact.output().find(
+                "the agent on `north` computes sines and the like otherwise than this machine does"),
+            std::string::npos)
+      << exact.output();
+  Process live = run(mission("patrol"), {"--real-time", "--limit", "2"});
+  ending = live.wait(kFleetPatience);
+  ASSERT_TRUE(ending) << live.output() << live.errors();
+  EXPECT_TRUE(north.prints("2 robots with it", kFleetPatience)) << north.output() << live.output();
+}
+
 TEST_F(Fleets, WithoutAnAgentTheMissionSaysWhatIsMissing) {
   make_network(13);
   Process far = run(mission("patrol"));

@@ -23,6 +23,7 @@
 #include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
 #include "mlab/robot/remote/agent.h"
+#include "mlab/robot/wire/arithmetic.h"
 #include "mlab/robot/wire/shared_cycle.h"
 #include "mlab/text/shown.h"
 
@@ -244,6 +245,7 @@ class AgentProcess {
     said.set_protocol(robot_remote::kAgentProtocol);
     said.set_version(settings_.sources.version);
     said.set_layout(robot_wire::shared_layout());
+    said.set_arithmetic(robot_wire::arithmetic());
     said.set_name(settings_.name);
     said.set_host(machine_name());
     said.set_process(static_cast<std::uint32_t>(::getpid()));

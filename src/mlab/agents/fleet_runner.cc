@@ -11,6 +11,7 @@
 #include "mlab/agents/dds_link.h"
 #include "mlab/robot/remote/live_runner.h"
 #include "mlab/robot/remote/remote_runner.h"
+#include "mlab/robot/wire/arithmetic.h"
 #include "mlab/robot/wire/shared_cycle.h"
 #include "mlab/text/shown.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 constexpr std::chrono::seconds kJoiningPatience(5);  // for an agent that somebody wants and that is not there
 
-bool fits(const wire::AgentPresence& agent, const std::string& version) {
+bool is_of(const wire::AgentPresence& agent, const std::string& version) {
   return agent.protocol() == robot_remote::kAgentProtocol && agent.version() == version &&
          agent.layout() == robot_wire::shared_layout();
 }
@@ -56,7 +57,7 @@ class Recruits {
     const auto is_wanted = [&](const std::vector<Member>& members) {
       return std::ranges::any_of(members, [&](const Member& one) {
         return (program.host.empty() || one.said.name() == program.host) && offers(one.said, program) &&
-               one.state == Member::State::kThere && fits(one.said, version_);
+               one.state == Member::State::kThere && fits(one.said);
       });
     };
     const std::uint64_t source = program.executable ? program.executable->source : 0;
@@ -70,7 +71,7 @@ class Recruits {
         out.why_none = fmt::format("`{}` offers another version of `{}`: copy yours to it, and start it anew",
                                    one.said.name(), program.executable->name);
       if (is_known(one)) continue;
-      if (!fits(one.said, version_)) {
+      if (!fits(one.said)) {
         out.why_none = misfit(one.said);
         continue;
       }
@@ -109,7 +110,18 @@ class Recruits {
     const auto at = known_.find(member.said.name());
     return at != known_.end() && at->second == member.guid;
   }
+  // In real time nobody expects the report of an embedded run.
+  bool fits(const wire::AgentPresence& agent) const {
+    return is_of(agent, version_) && (period_ > 0.0 || agent.arithmetic() == robot_wire::arithmetic());
+  }
   std::string misfit(const wire::AgentPresence& agent) const {
+    if (is_of(agent, version_))
+      return fmt::format(
+          "the agent on `{}` computes sines and the like otherwise than this machine does, in the last digit "
+          "(another C "
+          "library, or one of the processors has no FMA), so its robots would not do the same; --real-time "
+          "takes it",
+          agent.name());
     return fmt::format("the agent on `{}` is missionlab {} (protocol {}), and this is {} (protocol {})",
                        agent.name(), agent.version(), agent.protocol(), version_,
                        robot_remote::kAgentProtocol);
