@@ -354,7 +354,8 @@ TEST_F(CellTest, AFolderThatMayBeReadMayNotBeChanged) {
     policy.may_start_processes = true;
   };
   EXPECT_EQ(run("read", Wall::kLandlock, Who::kAsWeAre, {}, give), 0);
-  for (const char* attack : {"write", "append", "truncate", "remove", "rename", "mode", "owner", "times"}) {
+  for (const char* attack :
+       {"write", "append", "truncate", "truncate_by_opening", "remove", "rename", "mode", "owner", "times"}) {
     EXPECT_EQ(run(attack, Wall::kLandlock, Who::kAsWeAre, {}, give), kRefused) << attack;
   }
 }

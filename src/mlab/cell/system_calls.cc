@@ -15,6 +15,7 @@
 #include <memory>
 #include <system_error>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -34,8 +35,7 @@ constexpr int kCalls[] = {
     SCMP_SYS(poll), SCMP_SYS(ppoll), SCMP_SYS(select), SCMP_SYS(pselect6), SCMP_SYS(fstat),
     SCMP_SYS(newfstatat), SCMP_SYS(fadvise64),
     // its libraries
-    SCMP_SYS(open), SCMP_SYS(openat), SCMP_SYS(access), SCMP_SYS(faccessat), SCMP_SYS(faccessat2),
-    SCMP_SYS(getcwd), SCMP_SYS(execve),
+    SCMP_SYS(access), SCMP_SYS(faccessat), SCMP_SYS(faccessat2), SCMP_SYS(getcwd), SCMP_SYS(execve),
     // itself
     SCMP_SYS(exit), SCMP_SYS(exit_group), SCMP_SYS(arch_prctl), SCMP_SYS(set_tid_address),
     SCMP_SYS(set_robust_list), SCMP_SYS(rseq), SCMP_SYS(futex), SCMP_SYS(futex_waitv), SCMP_SYS(membarrier),
@@ -50,14 +50,16 @@ constexpr int kCalls[] = {
 // For what starts processes and writes files, in folders that the other wall gives it: compilers. Modes,
 // owners and times are not here, because that wall knows nothing of them.
 constexpr int kCompilerCalls[] = {
-    SCMP_SYS(fork),       SCMP_SYS(vfork),           SCMP_SYS(wait4),    SCMP_SYS(waitid),
-    SCMP_SYS(pipe),       SCMP_SYS(pipe2),           SCMP_SYS(stat),     SCMP_SYS(lstat),
-    SCMP_SYS(statx),      SCMP_SYS(statfs),          SCMP_SYS(fstatfs),  SCMP_SYS(readlink),
-    SCMP_SYS(readlinkat), SCMP_SYS(getdents64),      SCMP_SYS(chdir),    SCMP_SYS(umask),
-    SCMP_SYS(creat),      SCMP_SYS(ftruncate),       SCMP_SYS(truncate), SCMP_SYS(fallocate),
-    SCMP_SYS(fsync),      SCMP_SYS(rename),          SCMP_SYS(renameat), SCMP_SYS(renameat2),
-    SCMP_SYS(unlink),     SCMP_SYS(unlinkat),        SCMP_SYS(mkdir),    SCMP_SYS(mkdirat),
-    SCMP_SYS(rmdir),      SCMP_SYS(copy_file_range), SCMP_SYS(getpgrp),  SCMP_SYS(getgroups)};
+    // its parts
+    SCMP_SYS(fork), SCMP_SYS(vfork), SCMP_SYS(wait4), SCMP_SYS(waitid), SCMP_SYS(pipe), SCMP_SYS(pipe2),
+    SCMP_SYS(getpgrp), SCMP_SYS(getgroups),
+    // looking for files
+    SCMP_SYS(stat), SCMP_SYS(lstat), SCMP_SYS(statx), SCMP_SYS(statfs), SCMP_SYS(fstatfs), SCMP_SYS(readlink),
+    SCMP_SYS(readlinkat), SCMP_SYS(getdents64), SCMP_SYS(chdir),
+    // writing them
+    SCMP_SYS(umask), SCMP_SYS(creat), SCMP_SYS(ftruncate), SCMP_SYS(fallocate), SCMP_SYS(fsync),
+    SCMP_SYS(copy_file_range), SCMP_SYS(rename), SCMP_SYS(renameat), SCMP_SYS(renameat2), SCMP_SYS(unlink),
+    SCMP_SYS(unlinkat), SCMP_SYS(mkdir), SCMP_SYS(mkdirat), SCMP_SYS(rmdir)};
 
 // What glibc tries first and knows how to do without: told that the kernel has no such call, it does.
 constexpr int kUnknownCalls[] = {SCMP_SYS(clone3), SCMP_SYS(openat2)};
@@ -113,8 +115,19 @@ scmp_arg_cmp has(unsigned argument, std::uint64_t mask, std::uint64_t value) {
   return {argument, SCMP_CMP_MASKED_EQ, mask, value};
 }
 
+// Landlock knows of emptying a file from its third version on; before, it lets who may read one open it to be
+// emptied. Who may write it asks for that, too. (Emptying by a path is among nobody's calls.)
+void allow_opening(FilterWriter& filter) {
+  for (const auto& [call, flags] : {std::pair(SCMP_SYS(open), 1U), std::pair(SCMP_SYS(openat), 2U)}) {
+    filter.allow(call, {has(flags, O_TRUNC, 0)});
+    for (const std::uint64_t access : {O_WRONLY, O_RDWR})
+      filter.allow(call, {has(flags, O_TRUNC | O_ACCMODE, O_TRUNC | access)});
+  }
+}
+
 // Calls that may do one thing and must not do another.
 void allow_parts(FilterWriter& filter, const Policy& policy, Wall wall) {
+  allow_opening(filter);
   for (const int request : {TCGETS, FIONREAD}) {
     filter.allow(SCMP_SYS(ioctl), {has(1, 0xffffffff, static_cast<std::uint64_t>(request))});
   }

@@ -192,6 +192,7 @@ const std::map<std::string, Attack> kAttacks = {
     {"write", [] { return writes(in_folder("made"), O_CREAT); }},
     {"append", [] { return writes(in_folder("secret"), O_APPEND); }},
     {"truncate", [] { return truncate(in_folder("cut").c_str(), 0) == 0; }},
+    {"truncate_by_opening", [] { return open(in_folder("cut").c_str(), O_RDONLY | O_TRUNC) >= 0; }},
     {"remove", [] { return unlink(in_folder("gone").c_str()) == 0; }},
     {"rename", [] { return rename(in_folder("moved").c_str(), in_folder("to").c_str()) == 0; }},
     {"make_folder", [] { return mkdir(in_folder("folder").c_str(), 0755) == 0; }},
