@@ -141,7 +141,7 @@ void try_run(const std::vector<std::string>& answers, double period, Arguments..
   std::vector<std::unique_ptr<robot_remote::Agent>> agents;
   agents.push_back(std::move(agent));
   Runner runner(
-      [&](const std::string& /*host*/, const std::vector<std::string>& /*lost*/)
+      [&](const robot::RobotProgram& /*program*/, const std::vector<std::string>& /*lost*/)
           -> robot_remote::RemoteRunner::Newcomers { return {std::exchange(agents, {}), "it has gone"}; },
       arguments...);
   const auto member = runner.add({1}, standard_robot());
