@@ -152,7 +152,8 @@ class Fence::Border {
       : fence_(fence),
         from_(from),
         radius_(radius),
-        is_inside_(depth >= 0.0),
+        is_on_line_(std::abs(depth) <= kSlack),
+        is_inside_(depth >= 0.0 && !is_on_line_),
         // Who is too near already may only gain.
         least_(std::min(depth - radius, 0.0) - kSlack) {
     if (!is_inside_) return;
@@ -169,7 +170,7 @@ class Fence::Border {
   /// The way goes on to there. @return  false: it must not
   bool lets(Point to) {
     const geom::Segment way{std::exchange(from_, to), to};
-    if (!is_inside_) return fence_.depth(to) - radius_ >= least_;
+    if (!is_inside_) return lets_in(to);
     const auto is_clear = [&](const geom::Segment& side) {
       return !intersects(side, way) && least_distance(side, way) - radius_ >= least_;
     };
@@ -182,11 +183,22 @@ class Fence::Border {
   }
 
  private:
+  // A way that begins on the line touches it. Once it has come inside it must not leave again.
+  bool lets_in(Point to) {
+    const double depth = fence_.depth(to);
+    if (is_on_line_ && depth > kSlack) {
+      is_inside_ = true;
+      near_count_ = kTooMany;
+    }
+    return depth - radius_ >= least_;
+  }
+
   static constexpr std::size_t kTooMany = std::numeric_limits<std::size_t>::max();
 
   const Fence& fence_;
   Point from_;
   double radius_;
+  bool is_on_line_;
   bool is_inside_;
   double least_;
   std::array<const geom::Segment*, 32> near_{};

@@ -105,6 +105,21 @@ TEST(Fence, KnowsAWayInsideAlsoOnTheLine) {
   EXPECT_GT(fence.inward({55, 40}).x, 0.0) << "on the side of the tongue";
 }
 
+TEST(Fence, LetsWhoBeginsExactlyOnTheLineInAndNotOut) {
+  const Fence fence(kField);
+  for (const Point at : {Point{100, 30}, Point{0, 30}, Point{50, 0}, Point{50, 60}, Point{0, 0}}) {
+    const geom::Offset inside = Point{50, 30} - at;
+    for (const double ahead : {1.0, -1.0}) {
+      Body body{{}, {{at, std::atan2(inside.y, inside.x)}, {}}};
+      for (int i = 0; i < 50; ++i) body.step(fence, drive(ahead, 0.0), 0.1);
+      if (ahead > 0.0)
+        EXPECT_NEAR(geom::distance(body.motion.pose.position, at), 5.0, 1e-6) << at.x << ' ' << at.y;
+      else
+        EXPECT_GT(fence.depth(body.motion.pose.position), -1e-5) << at.x << ' ' << at.y;
+    }
+  }
+}
+
 TEST(Fence, IsNotJumpedWhereItIsThin) {
   // A tongue of half a metre between two halves.
   const Fence fence(std::array<Point, 8>{

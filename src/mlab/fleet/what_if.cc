@@ -54,8 +54,9 @@ std::optional<std::string> why_not(const Failsafes& failsafes, const Situation& 
 std::expected<geom::Pose, std::string> place_at(const mission::Failsafe& row, const Fence& fence, Point near,
                                                 const WhatIf::AtFence& asked) {
   constexpr double kExact = 1e-3;
+  constexpr std::size_t kMostTried = 32;  // each is held against all sides
   std::vector<Point> tried = {fence.nearest(near)};
-  for (std::size_t i = 0; i < row.fence.size(); ++i) {
+  for (std::size_t i = 0; i < row.fence.size(); i += 1 + row.fence.size() / kMostTried) {
     const Point next = row.fence[(i + 1) % row.fence.size()];
     tried.push_back(row.fence[i] + (next - row.fence[i]) * 0.5);
   }
@@ -89,10 +90,11 @@ class Trial {
     begin(from);
     const std::size_t last =
         std::max({cycles(asked_.link_lost), cycles(asked_.in_contact), cycles_stuck()}) + cycles(kAfterwards);
-    const std::size_t settled = last + cycles(WhatIf::kMostSettling + seconds_to_fence());
+    const std::size_t settled =
+        last + cycles(WhatIf::kMostSettling + seconds_to_fence() + seconds_until_stuck());
     double work = 0.0;
     std::size_t i = 0;
-    for (; i < settled && (i < last || !is_settled()); ++i) {
+    for (; i < settled && (i < last || !is_settled(static_cast<double>(i) * dt_)); ++i) {
       work += work_of_cycle();
       if (i == WhatIf::kMostCycles || work > kMostWork) {
         out_.is_cut = true;
@@ -198,11 +200,25 @@ class Trial {
     now_.motion.momentum = motion.momentum;
   }
 
+  // Who is held somewhere, and wants to go on, is stuck there in time.
+  double seconds_until_stuck() const {
+    double out = 0.0;
+    for (std::size_t i = 0; i < failsafes_.rows().size(); ++i) {
+      const mission::Failsafe& row = failsafes_.rows()[i];
+      const bool may_come = row.condition == FailsafeCondition::kStuck && (now_.rows >> i & 1U) != 0 &&
+                            !state_.is_met[i] && !out_.has_stopped;
+      if (may_come) out = std::max(out, row.seconds + kAfterwards);
+    }
+    return std::min(out, WhatIf::kMostSeconds);
+  }
+
   // Nothing more becomes of it.
-  bool is_settled() const {
+  bool is_settled(double time) const {
     const bool is_free = state_.active == FailsafeState::kNone && state_.waiting == 0;
     if (is_free && !asked_.fence) return true;
-    return out_.stood && (!action_.drives || out_.has_stopped);
+    if (!out_.stood || (action_.drives && !out_.has_stopped)) return false;
+    if (asked_.speed <= 0.0 || out_.has_stopped) return true;
+    return time >= *out_.stood + (state_.makes_no_way ? seconds_until_stuck() : kAfterwards);
   }
 
   // In looks at a side of a fence, at the most: where the body may brake on a curve, each step of that is

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -67,6 +68,31 @@ TEST(WhatIf, WhereNothingIsWrongNothingHappens) {
   EXPECT_TRUE(outcome.events.empty());
   EXPECT_EQ(outcome.rows[0].state, State::kArmed);
   EXPECT_FALSE(outcome.stood);
+}
+
+TEST(WhatIf, WhoIsHeldAtAFenceAndWantsToGoOnIsStuckThereInTime) {
+  Tried robot({rule(FailsafeCondition::kStuck, FailsafeAction::kHold, 5.0),
+               rule(FailsafeCondition::kOutside, FailsafeAction::kContinue)});
+  const WhatIfOutcome inside = robot.of({.fence = WhatIf::AtFence{.row = 1, .depth = 5.0}});
+  ASSERT_TRUE(inside.stood);
+  EXPECT_NEAR(when(inside, 0, What::kActs), *inside.stood + 5.0, 0.5);
+  EXPECT_EQ(inside.rows[0].state, State::kActive);
+  EXPECT_EQ(inside.rows[1].state, State::kWaiting);
+  const WhatIfOutcome outside =
+      robot.of({.fence = WhatIf::AtFence{.row = 1, .depth = -5.0, .begins_there = true}});
+  EXPECT_GT(when(outside, 0, What::kActs), 4.9);
+}
+
+TEST(WhatIf, WhoBeginsOnTheLineOrComesToItFromOutsideIsLetIn) {
+  Tried robot({rule(FailsafeCondition::kOutside, FailsafeAction::kHold)});
+  for (const auto& [depth, speed] : {std::pair{0.0, 1.0}, {-10.0, 10.0}, {-5.0, 5.0}, {-10.0, 50.0}}) {
+    const WhatIfOutcome out =
+        robot.of({.speed = speed,
+                  .fence = WhatIf::AtFence{
+                      .row = 0, .depth = depth, .bearing = std::numbers::pi, .begins_there = true}});
+    EXPECT_GT(geom::distance(out.from.position, out.to.position), 20.0) << depth << ' ' << speed;
+    EXPECT_GT(out.last_room, -1e-6) << depth << ' ' << speed;
+  }
 }
 
 TEST(WhatIf, ARowIsMetWhenItsConditionLastsForAsLongAsItSays) {
