@@ -78,7 +78,7 @@ test("each layer is switched off and on, and its switching undone by name", asyn
   await console.startRobots();
   await console.main.click();
   await console.passes(4);
-  await page.keyboard.press("x");
+  await console.main.filter({ hasText: "Pause" }).click();
   await console.reaches("Paused");
   await console.select("Robot 1");
   const view = await console.panel("View");

@@ -128,7 +128,8 @@ TEST_F(FleetExecutables, ASecondLookAtTheFleetNamesThemAndTheirAgentsLog) {
   const std::string log = asked({"--log", "f1"});
   EXPECT_TRUE(log.starts_with("exit status 0: ")) << log;
   EXPECT_NE(log.find("which carries robots of /tmp/walker only"), std::string::npos) << log;
-  EXPECT_EQ(asked({"--log", "f2"}), "exit status 1: mlab fleet: no agent `f2` is in the fleet `alpha`\n");
+  EXPECT_EQ(asked({"--log", "f2"}),
+            "exit status 1: mlab fleet: no agent `f2` is heard in the fleet `alpha`\n");
 }
 
 TEST_F(FleetExecutables, AnotherVersionIsNotTakenForIt) {

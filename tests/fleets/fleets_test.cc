@@ -47,6 +47,30 @@ TEST_F(Fleets, RobotsOnTwoMachinesGiveTheReportOfTheEmbeddedRunThoughPacketsAreL
   EXPECT_TRUE(come_to_be(0)) << "robots end with their run";
 }
 
+TEST_F(Fleets, OfTwoAgentsOfOneNameThatBeginAtTheSameMomentOneIsLeft) {
+  make_network(12);
+  const auto begin = [&](const std::string& host) {
+    return net().host(host).start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "same", "--network",
+                                   net().host(host).address()},
+                                  {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+  };
+  Process north = begin("north");
+  Process south = begin("south");
+  std::vector<Process*> ended;
+  for (const auto last = network::Clock::now() + kFleetPatience;
+       ended.empty() && network::Clock::now() < last;) {
+    for (Process* one : {&north, &south}) {
+      if (one->wait(100ms)) ended.push_back(one);
+    }
+  }
+  ASSERT_EQ(ended.size(), 1U) << north.output() << south.output();
+  EXPECT_EQ(ended[0]->wait(1s)->words(), "exit status 2");
+  EXPECT_NE(ended[0]->errors().find("the fleet `alpha` has an agent `same` already"), std::string::npos)
+      << ended[0]->errors();
+  Process& left = ended[0] == &north ? south : north;
+  EXPECT_FALSE(left.wait(3s)) << left.output() << left.errors();
+}
+
 TEST_F(Fleets, AMachineThatIsCutOffForAWhileIsWaitedFor) {
   make_network(8);
   const Process north = agent("north");

@@ -29,7 +29,7 @@ std::expected<std::vector<robot::LogLine>, std::string> read_log(const std::shar
                                                                  const std::string& agent) {
   const auto member = roster->find(agent);
   if (!member || member->state == Member::State::kGone)
-    return std::unexpected(fmt::format("no agent `{}` is in the fleet `{}`", agent, roster->fleet()));
+    return std::unexpected(fmt::format("no agent `{}` is heard in the fleet `{}`", agent, roster->fleet()));
   if (member->said.protocol() != robot_remote::kAgentProtocol)
     return std::unexpected(fmt::format("the agent on `{}` is missionlab {}, which has another protocol",
                                        agent, member->said.version()));

@@ -48,6 +48,11 @@ std::string counted_robots(std::size_t count) {
   return fmt::format("{} robot{}", count, count == 1 ? "" : "s");
 }
 
+std::string name_is_taken(const AgentSettings& settings, const std::string& host) {
+  return fmt::format("the fleet `{}` has an agent `{}` already, on `{}`: --name says another name",
+                     settings.network.fleet, settings.name, host);
+}
+
 class AgentProcess {
  public:
   AgentProcess(const AgentSettings& settings, std::optional<robot::ExecutableOrigin> executable,
@@ -63,15 +68,20 @@ class AgentProcess {
         presence_(std::move(presence)),
         missed_(std::move(missed)) {}
 
-  void serve(const std::stop_token& stop) {
+  /// @errors  a sentence: it can't stay
+  std::optional<std::string> serve(const std::stop_token& stop) {
     const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
     Clock::time_point next_beat = Clock::now();
+    if (const auto why = stop_file_.why_not_kept())
+      settings_.log->add(fmt::format("warning: an emergency stop will not outlive this agent: {}", *why));
     if (stop_.is_engaged)
       settings_.log->add(
           fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by));
-    while (!stop.stop_requested()) {
+    std::optional<std::string> problem;
+    while (!stop.stop_requested() && !problem) {
       if (Clock::now() >= next_beat) {
         say_presence();
+        problem = give_way();
         hear_of_stop_from_others();
         tell_whom_it_misses();
         forget_what_all_have_released();
@@ -89,6 +99,7 @@ class AgentProcess {
     static_cast<void>(presence_.end(settings_.name));
     for (auto& [key, conversation] : conversations_) conversation->end();
     conversations_.clear();
+    return problem;
   }
 
  private:
@@ -152,11 +163,12 @@ class AgentProcess {
   void end_all_of(const dds::Guid& run) {
     std::size_t robots = 0;
     std::size_t count = 0;
+    greet_the_new();
     for (auto& [key, conversation] : conversations_) {
       // In real time a run says that it leaves; one that can't be heard may come back.
       if (key.first != run || conversation->is_live()) continue;
       robots += conversation->robot_count();
-      if (conversation->has_opened()) ++count;
+      if (parts_from(key)) ++count;
       conversation->end();
     }
     if (count > 0) settings_.log->add(fmt::format("a run has gone, and {} with it", counted_robots(robots)));
@@ -168,15 +180,20 @@ class AgentProcess {
       if (conversation->has_opened() && greeted_.insert(key).second)
         settings_.log->add("a run has begun to talk to this agent");
     }
-    std::erase_if(greeted_, [this](const Key& key) { return !conversations_.contains(key); });
   }
+
+  // True: that it has gone is to be told.
+  bool parts_from(const Key& key) { return greeted_.contains(key) && parted_.insert(key).second; }
 
   void forget_the_ended() {
     for (const auto& [key, one] : conversations_) {
-      if (one->has_ended() && one->has_left())
+      if (one->has_ended() && parts_from(key))
         settings_.log->add(fmt::format("a run has gone, and {} with it", counted_robots(one->robot_count())));
     }
     std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
+    const auto is_over = [this](const Key& key) { return !conversations_.contains(key); };
+    std::erase_if(greeted_, is_over);
+    std::erase_if(parted_, is_over);
   }
 
   void listen_for_stop() {
@@ -227,6 +244,14 @@ class AgentProcess {
     if (std::ranges::none_of(roster_->members(), may_hold_it)) stop_file_.remove();
   }
 
+  // Two that began at the same moment, or on networks that are one now, have not heard each other before: one
+  // of a name is left, and both know which one.
+  std::optional<std::string> give_way() const {
+    const auto rival = roster_->rival_of_mine(settings_.name);
+    if (!rival || roster_->participant().guid() < rival->guid) return std::nullopt;
+    return name_is_taken(settings_, rival->host);
+  }
+
   void give_up_the_lost() {
     for (auto& [key, conversation] : conversations_) {
       if (!conversation->is_live() || conversation->has_ended()) continue;
@@ -235,6 +260,7 @@ class AgentProcess {
       settings_.log->add(fmt::format("nothing was heard of a run for {:.0f} s, and {} end with it",
                                      robot_remote::kLivePatience,
                                      counted_robots(conversation->robot_count())));
+      parted_.insert(key);
       conversation->end();
     }
   }
@@ -282,7 +308,8 @@ class AgentProcess {
   std::atomic<bool> is_stopped_ = stop_.is_engaged;
   Clock::time_point began_ = Clock::now();
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
-  std::set<Key> greeted_;
+  std::set<Key> greeted_;  // whose beginning was told
+  std::set<Key> parted_;   // and whose end
 };
 
 }  // namespace
@@ -310,8 +337,7 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
     });
   };
   if ((*roster)->wait(is_taken, Clock::now() + kNameGlance))
-    return fmt::format("the fleet `{}` has an agent `{}` already, on `{}`: --name says another name",
-                       settings.network.fleet, settings.name, (*roster)->find(settings.name)->said.host());
+    return name_is_taken(settings, (*roster)->find(settings.name)->said.host());
   auto waiter = dds::Waiter::make();
   if (!waiter) return waiter.error();
   dds::Participant& participant = (*roster)->participant();
@@ -330,8 +356,7 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
                        std::move(*requests), std::move(*stops), std::move(*echoes), std::move(*presence),
                        std::move(*missed));
   if (settings.tell_ready) settings.tell_ready();
-  process.serve(stop);
-  return std::nullopt;
+  return process.serve(stop);
 }
 
 }  // namespace mlab::agents

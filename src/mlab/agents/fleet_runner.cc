@@ -67,7 +67,8 @@ class Recruits {
     out.why_none = why_none(program);
     for (const Member& one : roster_->members()) {
       if (one.state != Member::State::kThere) continue;
-      if (is_other_version(one.said, program))
+      const bool may_be_meant = program.host.empty() || one.said.name() == program.host;
+      if (may_be_meant && is_other_version(one.said, program))
         out.why_none = fmt::format("`{}` offers another version of `{}`: copy yours to it, and start it anew",
                                    one.said.name(), program.executable->name);
       if (is_known(one)) continue;
@@ -99,6 +100,13 @@ class Recruits {
     const std::string who = host.empty() ? "none" : fmt::format("none of the name `{}`", host);
     const std::string words =
         host.empty() ? hints_.here : fmt::format(" --name {}{}", host, hints_.elsewhere);
+    if (const auto named = host.empty() ? std::nullopt : roster_->find(program.host);
+        named && named->state == Member::State::kThere && !offers(named->said, program))
+      return fmt::format(
+          "`{}` carries {}", host,
+          named->said.has_offered()
+              ? fmt::format("robots of the executable `{}`, and no others", named->said.offered().name())
+              : "robots that are built from text, and no executables");
     if (program.executable)
       return fmt::format("{0} in the fleet `{1}` offers `{2}`: there, `./{2} --fleet {1}{3}` does", who,
                          fleet, text::shown(program.executable->name),

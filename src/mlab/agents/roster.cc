@@ -91,7 +91,10 @@ void Roster::take(const dds::Arrival& arrival) {
     const auto [at, is_new] = members_.try_emplace(arrival.key);
     Member& member = at->second;
     // Who has the name keeps it until he has gone.
-    if (!is_new && member.guid != arrival.sender && member.state == Member::State::kThere) return;
+    if (!is_new && member.guid != arrival.sender && member.state == Member::State::kThere) {
+      member.rival = Member::Rival{arrival.sender, said->host(), arrival.noticed};
+      return;
+    }
     member.said = std::move(*said);
     member.heard = arrival.noticed;
     if (is_new || member.guid != arrival.sender) member.since = Clock::now();
@@ -140,6 +143,19 @@ std::optional<Roster::Sighting> Roster::sight(std::string_view name) const {
   const auto at = members_.find(name);
   if (at == members_.end()) return std::nullopt;
   return Sighting{at->second.guid, at->second.state, at->second.has_left, at->second.heard};
+}
+
+std::optional<Member::Rival> Roster::rival_of_mine(std::string_view name) const {
+  constexpr std::chrono::seconds kFresh(2);
+  const std::scoped_lock lock(mutex_);
+  const auto at = members_.find(name);
+  if (at == members_.end()) return std::nullopt;
+  const Member& one = at->second;
+  const dds::Guid own = participant_.guid();
+  if (one.guid != own && one.state == Member::State::kThere)
+    return Member::Rival{one.guid, one.said.host(), one.heard};
+  const bool is_there = one.rival && one.rival->guid != own && Clock::now() - one.rival->heard < kFresh;
+  return is_there ? one.rival : std::nullopt;
 }
 
 bool Roster::wait(const std::function<bool(const std::vector<Member>&)>& holds,

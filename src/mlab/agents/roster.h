@@ -34,6 +34,13 @@ struct Member {
   Clock::time_point since;  ///< of the state
   Clock::time_point heard;  ///< when it spoke last
   bool is_held = false;     ///< Roster::hold
+  /// Somebody else who says that this is his name, too; heard last of all such.
+  struct Rival {
+    dds::Guid guid;
+    std::string host;
+    Clock::time_point heard;
+  };
+  std::optional<Rival> rival;
 };
 
 /// How long a silent agent is waited for.
@@ -67,6 +74,8 @@ class Roster {
     Clock::time_point heard;
   };
   std::optional<Sighting> sight(std::string_view name) const;
+  /// Somebody else than this participant who is there under that name now.
+  std::optional<Member::Rival> rival_of_mine(std::string_view name) const;
   /// Waits until something holds of those who are there, and asks again whenever somebody comes, goes or
   /// speaks.
   /// @return  whether it came to hold in time

@@ -113,6 +113,15 @@ std::optional<std::string> StopFile::write(const StopState& state) const {
   return std::nullopt;
 }
 
+std::optional<std::string> StopFile::why_not_kept() const {
+  if (path_.empty()) return "there is no folder to keep it in: neither XDG_STATE_HOME nor HOME names one";
+  const fs::path folder = fs::path(path_).parent_path();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return std::nullopt;
+  return fmt::format("{} can't be written: {}", folder.string(), reason(errno));
+}
+
 void StopFile::remove() const {
   std::error_code failure;
   if (!path_.empty() && fs::remove(path_, failure)) sync_folder(fs::path(path_).parent_path());

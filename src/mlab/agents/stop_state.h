@@ -47,6 +47,8 @@ class StopFile {
   std::optional<std::string> write(const StopState& state) const;
   /// Where there is one.
   void remove() const;
+  /// Why it will not outlive the agent, as far as that can be known before; nothing: it will.
+  std::optional<std::string> why_not_kept() const;
 
  private:
   std::string path_;

@@ -18,6 +18,7 @@ void add_agent_options(CLI::App* c, AgentOptions& o) {
   c->add_option("--offer", o.offer,
                 "carry robots of this executable of `mlab build`, and no others; what it does when it is "
                 "started with --fleet itself")
+      ->check(refuse_if_empty)
       ->type_name("FILE");
   add_network(c, o.network);
   c->add_flag("--allow-native", o.allow_native,

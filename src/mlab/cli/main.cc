@@ -310,11 +310,16 @@ void add_fleet(CLI::App& app, FleetOptions& o) {
       ->type_name("NAME");
   add_network(c, o.network);
   c->add_flag("--once", o.once, "say it once, and end");
-  c->add_flag("--json", o.json, "say it once, as JSON");
+  auto* const json = c->add_flag("--json", o.json, "say it once, as JSON");
   auto* const stop = c->add_flag("--stop", o.stop,
                                  "EMERGENCY STOP: all robots of the fleet stand, until somebody releases it");
-  c->add_flag("--release", o.release, "release the emergency stop")->excludes(stop);
-  c->add_option("--log", o.log, "what the agent of that name told last")->excludes(stop)->type_name("NAME");
+  auto* const release = c->add_flag("--release", o.release, "release the emergency stop")->excludes(stop);
+  c->add_option("--log", o.log, "what the agent of that name told last")
+      ->excludes(stop)
+      ->excludes(release)
+      ->excludes(json)
+      ->check(refuse_unless_name)
+      ->type_name("NAME");
 }
 
 void add_keys(CLI::App& app, KeysOptions& o) {
@@ -329,9 +334,11 @@ void add_keys(CLI::App& app, KeysOptions& o) {
   auto* const added =
       c->add_option("--add", o.add,
                     "make the identity of another machine, to be brought there; own: this one's")
+          ->check(refuse_if_empty)
           ->type_name("NAME");
   c->add_option("--withdraw", o.withdraw, "that identity belongs to the fleet no more")
       ->excludes(added)
+      ->check(refuse_if_empty)
       ->type_name("NAME");
 }
 

@@ -33,6 +33,11 @@ inline std::string refuse_unless_positive(const std::string& text) {
              : fmt::format("{}: expected a number above 0", text);
 }
 
+// A variable of a script that is not set, say.
+inline std::string refuse_if_empty(const std::string& text) {
+  return text.empty() ? "expected something, and it is empty" : "";
+}
+
 inline void add_no_cell(CLI::App* c, bool& no_cell) {
   c->add_flag("--no-cell", no_cell,
               "let code that files bring do all that you may do: for machines that can't make cells");

@@ -36,6 +36,14 @@ fleet::Situation known_of(run::MissionRun& run, const fleet::FleetRobot& robot) 
 }  // namespace
 
 Answered FailsafeTrials::try_out(const TryFailsafes& asked, Reply& reply) {
+  const auto began = WorkShare::Clock::now();
+  if (!share_.may_begin(began)) return "others try something at the same moment: try it again";
+  Answered out = answer(asked, reply);
+  share_.note(began, WorkShare::Clock::now());
+  return out;
+}
+
+Answered FailsafeTrials::answer(const TryFailsafes& asked, Reply& reply) {
   if (run_.live() == nullptr) return "there is no run: the mission has errors, or none is open";
   run::MissionRun& run = run_.live()->run();
   if (run.fleet().failsafes().empty()) return "the mission has no FAILSAFE";

@@ -26,9 +26,9 @@ std::string_view variable(const char* name) {
 }
 
 // Where it may be, in the order in which it is looked for.
-std::vector<std::string> places_of_agent(const char* made_with) {
+std::vector<std::string> places_of_agent(const std::filesystem::path& self, const char* made_with) {
   if (const std::string_view named = variable("MLAB_AGENT"); !named.empty()) return {std::string(named)};
-  std::vector<std::string> out;
+  std::vector<std::string> out = {(self.parent_path() / kAgent).string()};
   std::string_view rest = variable("PATH");
   while (!rest.empty()) {
     const std::string_view folder = rest.substr(0, rest.find(':'));
@@ -54,22 +54,38 @@ int become_member(const RobotProgramText& text, std::span<char* const> arguments
                text.name);
     return kNoMember;
   }
+  // Else one that is named by mistake in the place of mlab-agent would start itself for ever.
+  if (std::ranges::any_of(arguments, [](const char* argument) {
+        return std::string_view(argument).starts_with("--offer");
+      })) {
+    fmt::print(stderr,
+               "{}: takes no --offer, it offers itself; where nobody said that, MLAB_AGENT or PATH names a "
+               "robot program as mlab-agent\n",
+               text.name);
+    return kNoMember;
+  }
   std::error_code failure;
   std::string self = std::filesystem::read_symlink("/proc/self/exe", failure).string();
+  if (failure) {
+    fmt::print(stderr, "{}: /proc does not say where it is: {}\n", text.name, failure.message());
+    return kNoMember;
+  }
   std::string name = kAgent;
   std::string offer = "--offer";
   std::vector<char*> words = {name.data(), offer.data(), self.data()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   words.push_back(nullptr);
   std::string why;
-  for (const std::string& place : places_of_agent(text.agent)) {
+  const std::vector<std::string> places = places_of_agent(self, text.agent);
+  for (const std::string& place : places) {
     ::execv(place.c_str(), words.data());
-    if (errno != ENOENT && errno != ENOTDIR && why.empty())
-      why = fmt::format("; {}: {}", place, std::generic_category().message(errno));
+    const bool is_named = places.size() == 1;  // by MLAB_AGENT
+    if (((errno != ENOENT && errno != ENOTDIR) || is_named) && why.empty())
+      why = fmt::format(" ({}: {})", place, std::generic_category().message(errno));
   }
   fmt::print(stderr,
-             "{}: --fleet needs mlab-agent, of the package missionlab-agent, which is not there: MLAB_AGENT "
-             "says where it is{}\n",
+             "{}: --fleet needs mlab-agent, of the package missionlab-agent, and it is neither beside this "
+             "file nor in PATH; MLAB_AGENT names its path{}\n",
              text.name, why);
   return kNoMember;
 }
