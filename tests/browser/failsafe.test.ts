@@ -1,4 +1,5 @@
 // A robot that a failsafe holds: its facts say so, and an order takes over.
+import type { Locator } from "playwright-core";
 import { expect, test } from "vitest";
 import { begin } from "./begin.ts";
 
@@ -85,6 +86,14 @@ test("a row of the table goes from armed over near to active before the eyes of 
   await console.page.getByRole("region", { name: "Text", exact: true }).waitFor();
 });
 
+/** Whether a person sees it without scrolling. */
+const isInSight = (shown: Locator) =>
+  shown.evaluate((element) => {
+    const { left, top, bottom } = element.getBoundingClientRect();
+    const seen = document.elementFromPoint(left + 2, (top + bottom) / 2);
+    return seen !== null && element.contains(seen);
+  });
+
 test("conditions that a person sets are tried, and the run stays as it is", async () => {
   const { console } = await begin({ mission: "demo_c", prepare: guarded });
   await console.reaches("Ready");
@@ -98,22 +107,31 @@ test("conditions that a person sets are tried, and the run stays as it is", asyn
   await answer.getByText("OUTSIDE Field HOLD acts.").waitFor();
   await answer.getByText(/it stands, 4\.\d m from where it was, (at|0\.\d m before) the line\.$/).waitFor();
 
+  await expect.poll(() => isInSight(answer.getByText("OUTSIDE Field HOLD acts."))).toBe(true);
+
   await whatIf.getByText("At a fence").click();
   await answer.waitFor({ state: "detached" });
   await whatIf.getByText("Link lost").click();
+  await whatIf.getByText("nobody looks at it in this run").waitFor();
   await whatIf.getByText("In contact").click();
   const lengths = whatIf.getByRole("textbox", { name: "for [s]" });
   await lengths.nth(1).fill("0.2");
   await lengths.nth(1).press("Enter");
-  await tryIt.click();
   await answer.getByText("LINK-LOST AFTER 5 RETURN acts.").waitFor();
   await answer.getByText(/^IN-CONTACT AFTER 0.5 STOP \(\d+ %\)$/).waitFor();
+
+  // An answer goes with the first key, and nothing is tried while a number is wrong.
+  await lengths.nth(1).fill("601");
+  await answer.waitFor({ state: "detached" });
+  await whatIf.getByText("At most 600.").waitFor();
+  await whatIf.getByText("To be put right first: In contact.").waitFor();
+  expect(await tryIt.isDisabled()).toBe(true);
+  await lengths.nth(1).press("Enter");
   await lengths.nth(1).fill("1");
+  expect(await answer.count()).toBe(0);
   await tryIt.click();
   await answer.getByText("IN-CONTACT AFTER 0.5 STOP is met, and acts").waitFor();
   await answer.getByText(/Its program has ended\.$/).waitFor();
-  await lengths.nth(1).fill("601");
-  await whatIf.getByText("At most 600.").waitFor();
   await console.reaches("Ready");
   expect(await console.time()).toBe(0);
 });

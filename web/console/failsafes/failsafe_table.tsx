@@ -2,7 +2,7 @@ import { FailsafeStandings_State, type Failsafes_Row } from "../../core/protocol
 import { Bar, Button } from "../../ui/controls/controls.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
 import { usePart, useSession } from "../session/session.ts";
-import { standingText, stateWord, thresholdText, type Worst, worstOf } from "./standings.ts";
+import { doesText, standingText, stateWord, thresholdText, type Worst, worstOf } from "./standings.ts";
 
 const kBars: Record<string, string> = { hold: "var(--hold)", danger: "var(--danger)", go: "var(--go)" };
 
@@ -100,7 +100,7 @@ function Meaning({ row }: { row: Failsafes_Row }) {
         <dt>{row.condition}</dt>
         <dd>{sentence(row.means)}</dd>
         <dt>{row.action}</dt>
-        <dd>{sentence(row.does)}</dd>
+        <dd>{sentence(doesText(row))}</dd>
       </dl>
       {row.document !== "" && (
         <Button tone="link" icon="text" onPress={() => ui.set("reveal", { document: row.document, line: row.line })}>

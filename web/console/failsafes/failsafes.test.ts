@@ -8,6 +8,20 @@ import {
   FailsafeTrial_What as What,
 } from "../../core/protocol.ts";
 import {
+  askable,
+  type Draft,
+  fences,
+  firstDraft,
+  firstFence,
+  firstSeconds,
+  fitted,
+  type OwnRow,
+  orderOf,
+  ownRows,
+  wrongIn,
+} from "./conditions.ts";
+import {
+  doesText,
   measureText,
   nameOf,
   standingText,
@@ -17,19 +31,8 @@ import {
   worstOf,
   worstState,
 } from "./standings.ts";
-import {
-  askable,
-  doing,
-  ending,
-  fences,
-  firstConditions,
-  firstSeconds,
-  lineText,
-  moments,
-  notMet,
-  orderOf,
-  verdict,
-} from "./what_if.ts";
+import { kept, keyOf, kNothingTried, kUnderWay } from "./trying.ts";
+import { doing, ending, lineText, moments, notMet, verdict } from "./what_if.ts";
 
 const { rows } = create(FailsafesSchema, {
   rows: [
@@ -63,6 +66,11 @@ describe("how a row stands", () => {
     expect(measureText(fence, 214)).toBe("214 m to the line");
     expect([measureText(contact, 0), measureText(link, 0)]).toEqual(["not now", "not now"]);
     expect(measureText(contact, 1.24)).toBe("for 1.2 s");
+    expect([4.9, 5, 36.3].map((measure) => measureText(link, measure))).toEqual([
+      "4.9 of 5 s",
+      "for 5 s",
+      "for 36.3 s",
+    ]);
   });
   it("says why nobody looks at it", () => {
     expect(standingText(link, first(State.OFF), false)).toBe("looked at in real time only");
@@ -70,7 +78,7 @@ describe("how a row stands", () => {
     expect(standingText(fence, first(State.OFF), false)).toBe("looked at while the robot runs");
   });
   it("says why it does not act though it is met", () => {
-    expect(standingText(link, first(State.WAITING, 100, 60), true)).toBe("6.0 of 5 s, a row above it acts");
+    expect(standingText(link, first(State.WAITING, 100, 60), true)).toBe("for 6 s, a row above it acts");
     expect(standingText(link, first(State.OVERRULED, 100, 60), true)).toMatch(/the stick has taken over$/);
     expect(standingText(fence, first(State.OVERRULED, 100, -20), true)).toBe(
       "2.0 m beyond the line, it may only drive nearer",
@@ -79,6 +87,14 @@ describe("how a row stands", () => {
   it("says how long it takes, where it does", () => {
     expect(rows.map(thresholdText)).toEqual(["", "after 5 s", ""]);
     expect(nameOf(link)).toBe("LINK-LOST AFTER 5 RETURN");
+  });
+  it("says what becomes of the robot, which a fence holds whatever its row says", () => {
+    expect(doesText(link)).toBe("it drives home");
+    const goesOn = { ...link, action: "CONTINUE", does: "it goes on" };
+    expect(doesText(goesOn)).toBe("it goes on");
+    expect(doesText({ ...goesOn, condition: "OUTSIDE", fence: "Field" })).toMatch(
+      /but for the way out: the fence holds$/,
+    );
   });
   it("is told of several robots by the one that is worst off", () => {
     const all = new Map([
@@ -101,29 +117,92 @@ describe("how a row stands", () => {
 });
 
 describe("what is asked of the table", () => {
+  const all = ownRows(rows, undefined);
+  const own = (...some: OwnRow["row"][]) => some.map((row, index) => ({ index, row }));
+  const at: NonNullable<Draft["fence"]> = { row: 0, side: "outside", distance: "2", bearing: "180", beginsThere: true };
   it("begins with what the first row is met by", () => {
-    expect(firstConditions(rows).fence).toMatchObject({ row: 0, side: "inside" });
-    expect(firstConditions([link]).lasting).toEqual({ "LINK-LOST": 6 });
-    expect(firstConditions([]).lasting).toEqual({});
-    expect(firstSeconds([link, { ...link, seconds: 30.5 }], "LINK-LOST")).toBe(32);
+    expect(firstDraft(all).fence).toMatchObject({ row: 0, side: "inside" });
+    expect(firstDraft(own(link)).lasting).toEqual({ "LINK-LOST": "6" });
+    expect(firstDraft([]).lasting).toEqual({});
+    expect(firstSeconds(own(link, { ...link, seconds: 30.5 }), "LINK-LOST")).toBe("32");
   });
   it("is what the table has conditions for", () => {
-    expect(askable(rows).map(([condition]) => condition)).toEqual(["LINK-LOST", "IN-CONTACT"]);
-    expect(fences(rows)).toEqual([["0", "1. Field"]]);
+    expect(askable(all).map(([condition]) => condition)).toEqual(["LINK-LOST", "IN-CONTACT"]);
+    expect(fences(all)).toEqual([["0", "1. Field"]]);
+  });
+  it("is of rows that guard the robot, and of no others", () => {
+    const table = [{ ...fence, robots: "scout" }, link, { ...fence, fence: "Yard" }, { ...contact, robots: "scout" }];
+    const known = ownRows(table, standings(State.OTHERS, State.OFF, State.ARMED, State.OTHERS));
+    expect(fences(known)).toEqual([["2", "3. Yard"]]);
+    expect(firstFence(known)).toMatchObject({ row: 2 });
+    expect(firstDraft(known)).toMatchObject({ lasting: { "LINK-LOST": "6" }, fence: null });
+    expect(askable(known).map(([condition]) => condition)).toEqual(["LINK-LOST"]);
+    expect(ownRows(table, undefined).map(({ index }) => index)).toEqual([1, 2]);
+    expect(ownRows(table, standings(State.OFF, State.OFF, State.OFF, State.OFF))).toHaveLength(4);
+  });
+  it("is kept for another robot as far as rows of its own go", () => {
+    const draft: Draft = { lasting: { "LINK-LOST": "7", "IN-CONTACT": "1" }, fence: at, speed: "3" };
+    const yard = { index: 2, row: { ...fence, fence: "Yard" } };
+    expect(fitted(draft, all)).toEqual(draft);
+    expect(fitted(draft, [yard, { index: 3, row: link }])).toEqual({
+      lasting: { "LINK-LOST": "7" },
+      fence: { ...at, row: 2 },
+      speed: "3",
+    });
+    expect(fitted(draft, own(contact))).toEqual({ lasting: { "IN-CONTACT": "1" }, fence: null, speed: "3" });
   });
   it("goes to the server in metres, seconds and radians", () => {
-    const at = { row: 0, side: "outside", distance: 2, bearing: 180, beginsThere: true } as const;
-    expect(orderOf(7, { lasting: { STUCK: 3 }, fence: at, speed: 2 })).toEqual({
+    expect(orderOf(7, { lasting: { STUCK: "3" }, fence: at, speed: "2,5" })).toEqual({
       robot: 7,
       linkLost: 0,
       inContact: 0,
       stuck: 3,
-      speed: 2,
+      speed: 2.5,
       fence: { row: 0, depth: -2, bearing: Math.PI, beginsThere: true },
     });
-    const inside = orderOf(7, { lasting: {}, fence: { ...at, side: "inside" }, speed: 1 });
-    expect(inside.fence).toMatchObject({ depth: 2, beginsThere: false });
-    expect(orderOf(7, { lasting: {}, fence: null, speed: 1 }).fence).toBeUndefined();
+    const inside = orderOf(7, { lasting: {}, fence: { ...at, side: "inside" }, speed: "1" });
+    expect(inside?.fence).toMatchObject({ depth: 2, beginsThere: false });
+    expect(orderOf(7, { lasting: {}, fence: null, speed: "1" })?.fence).toBeUndefined();
+  });
+  it("does not go there while a number is wrong, which is named", () => {
+    const fine: Draft = { lasting: { STUCK: "3" }, fence: at, speed: "2" };
+    const bad: [Draft, string][] = [
+      ...["", "NaN", "-1", "51", "fast"].map((speed): [Draft, string] => [{ ...fine, speed }, "Speed"]),
+      ...["1001", "-5"].map((distance): [Draft, string] => [{ ...fine, fence: { ...at, distance } }, "Distance"]),
+      ...["361", "-361"].map((bearing): [Draft, string] => [{ ...fine, fence: { ...at, bearing } }, "Heading"]),
+      [{ ...fine, lasting: { STUCK: "601" } }, "Stuck"],
+    ];
+    for (const [draft, name] of bad) {
+      expect(wrongIn(draft)).toEqual([name]);
+      expect(orderOf(1, draft)).toBeUndefined();
+    }
+    expect(wrongIn(fine)).toEqual([]);
+    expect(wrongIn({ lasting: { "LINK-LOST": "x" }, fence: null, speed: "" })).toEqual(["Link lost", "Speed"]);
+  });
+});
+
+describe("an answer", () => {
+  const draft: Draft = { lasting: { "LINK-LOST": "6" }, fence: null, speed: "1" };
+  const order = orderOf(1, draft);
+  const answered = {
+    isUnderWay: false,
+    answer: { of: keyOf(order), is: { trial: create(FailsafeTrialSchema, {}) } },
+  };
+  it("stands beside the conditions that it answers", () => {
+    expect(kept(answered, keyOf(orderOf(1, { ...draft, speed: "1.0" })))).toBe(answered);
+  });
+  it("goes when conditions, robot or a number that is wrong make it another's", () => {
+    for (const other of [
+      orderOf(1, { ...draft, speed: "2" }),
+      orderOf(1, { ...draft, speed: "" }),
+      orderOf(1, { ...draft, lasting: {} }),
+      orderOf(2, draft),
+    ])
+      expect(kept(answered, keyOf(other))).toEqual(kNothingTried);
+  });
+  it("is waited for alone", () => {
+    expect(kUnderWay.answer).toBeNull();
+    expect(kept(kUnderWay, keyOf(undefined))).toBe(kUnderWay);
   });
 });
 
@@ -168,6 +247,13 @@ describe("what came of it", () => {
     expect(doing(trial, rows)).toBe("it drives home");
     expect(ending(trial)).toBe("From 30.4 s on it stands, 30.0 m from where it was.");
     expect(notMet(trial, rows)).toEqual(["OUTSIDE Field HOLD (12 %)"]);
+  });
+  it("tells of many rows of which nothing was in one line", () => {
+    const armed = (...used: number[]) =>
+      create(FailsafeTrialSchema, { rows: used.map((one) => standing(State.ARMED, one)) });
+    const table = [link, link, fence, contact];
+    expect(notMet(armed(0, 7, 0, 0), table)).toEqual(["LINK-LOST AFTER 5 RETURN (7 %)", "Rows 1, 3 and 4 (0 %)"]);
+    expect(notMet(armed(0, 7, 0), table)).toHaveLength(3);
   });
   it("says that nothing acts, and that what acted is over", () => {
     const nothing = create(FailsafeTrialSchema, { rows: [standing(State.ARMED)], seconds: 1, speed: 1, drivenTo: 1 });

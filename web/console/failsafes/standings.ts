@@ -81,7 +81,7 @@ export function standingText(row: Failsafes_Row, standing: FailsafeStandings_Sta
     .join(", ");
 }
 
-/** `3.1 of 5 s`, `12.3 m to the line`, `0.4 m beyond the line`. */
+/** `3.1 of 5 s`, `for 5.1 s`, `12.3 m to the line`, `0.4 m beyond the line`. */
 export function measureText(row: Failsafes_Row, measure: number): string {
   if (row.fence !== "") {
     const metres = Math.abs(measure);
@@ -89,7 +89,7 @@ export function measureText(row: Failsafes_Row, measure: number): string {
     return measure < 0 ? `${shown} m beyond the line` : `${shown} m to the line`;
   }
   if (measure === 0) return "not now";
-  if (row.seconds > 0) return `${measure.toFixed(1)} of ${seconds(row.seconds)}`;
+  if (measure < row.seconds) return `${measure.toFixed(1)} of ${seconds(row.seconds)}`;
   return `for ${seconds(measure)}`;
 }
 
@@ -101,6 +101,12 @@ export function seconds(value: number): string {
 /** `after 5 s`; empty: at once. */
 export function thresholdText(row: Failsafes_Row): string {
   return row.mayLast && row.seconds > 0 ? `after ${seconds(row.seconds)}` : "";
+}
+
+/** What the action makes of the robot. A fence holds it whatever its row says. */
+export function doesText(row: Failsafes_Row): string {
+  if (row.fence === "" || row.action !== "CONTINUE") return row.does;
+  return "what its program wants goes on but for the way out: the fence holds";
 }
 
 /** The statement without its first word: `LINK-LOST AFTER 5 RETURN`. */

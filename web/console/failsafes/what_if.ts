@@ -1,87 +1,12 @@
-// What a person asks of the table, and what came of it, in words.
-import type { MessageInitShape } from "@bufbuild/protobuf";
+// What came of conditions that were tried, in words.
 import {
   type Failsafes_Row,
   type FailsafeTrial,
   FailsafeStandings_State as State,
-  type TryFailsafesSchema,
   FailsafeTrial_What as What,
 } from "../../core/protocol.ts";
-import { nameOf, seconds } from "./standings.ts";
-
-/** Conditions with a length, by the words of the table. */
-export type Lasting = "LINK-LOST" | "IN-CONTACT" | "STUCK";
-export const kLasting: readonly (readonly [Lasting, string])[] = [
-  ["LINK-LOST", "Link lost"],
-  ["IN-CONTACT", "In contact"],
-  ["STUCK", "Stuck"],
-];
-
-export interface Conditions {
-  /** How long [s]; nothing: it isn't so. */
-  lasting: Partial<Record<Lasting, number>>;
-  fence: AtFence | null;
-  speed: number; // [m/s]
-}
-
-export interface AtFence {
-  row: number;
-  side: "inside" | "outside";
-  distance: number; // from the line [m]
-  bearing: number; // from straight out, counter-clockwise [deg]
-  beginsThere: boolean;
-}
-
-/** As the server takes them. */
-export const kMost = { seconds: 600, speed: 50, distance: 1000, bearing: 360 };
-
-/** Where one begins: the highest row would be met. */
-export function firstConditions(rows: readonly Failsafes_Row[]): Conditions {
-  const [first] = rows;
-  const none: Conditions = { lasting: {}, fence: null, speed: 1 };
-  if (!first) return none;
-  if (first.fence !== "") return { ...none, fence: firstFence(rows) };
-  return { ...none, lasting: { [first.condition]: firstSeconds(rows, first.condition) } };
-}
-
-export function firstFence(rows: readonly Failsafes_Row[]): AtFence | null {
-  const row = rows.findIndex((one) => one.fence !== "");
-  return row < 0 ? null : { row, side: "inside", distance: 5, bearing: 0, beginsThere: false };
-}
-
-/** A second more than the longest row of this condition takes. */
-export function firstSeconds(rows: readonly Failsafes_Row[], condition: string): number {
-  const longest = Math.max(0, ...rows.filter((row) => row.condition === condition).map((row) => row.seconds));
-  return Math.min(kMost.seconds, Math.ceil(longest) + 1);
-}
-
-/** What can be asked of this table. */
-export function askable(rows: readonly Failsafes_Row[]): readonly (readonly [Lasting, string])[] {
-  return kLasting.filter(([condition]) => rows.some((row) => row.condition === condition));
-}
-
-export function fences(rows: readonly Failsafes_Row[]): readonly (readonly [string, string])[] {
-  return rows.flatMap((row, i) => (row.fence === "" ? [] : [[String(i), `${i + 1}. ${row.fence}`] as const]));
-}
-
-export function orderOf(robot: number, asked: Conditions): MessageInitShape<typeof TryFailsafesSchema> {
-  const { lasting, fence, speed } = asked;
-  return {
-    robot,
-    linkLost: lasting["LINK-LOST"] ?? 0,
-    inContact: lasting["IN-CONTACT"] ?? 0,
-    stuck: lasting.STUCK ?? 0,
-    speed,
-    ...(fence && {
-      fence: {
-        row: fence.row,
-        depth: fence.side === "inside" ? fence.distance : -fence.distance,
-        bearing: (fence.bearing * Math.PI) / 180,
-        beginsThere: fence.side === "outside" && fence.beginsThere,
-      },
-    }),
-  };
-}
+import { list } from "../../ui/words/format.ts";
+import { doesText, nameOf, seconds } from "./standings.ts";
 
 export interface Moment {
   time: number; // [s]
@@ -122,7 +47,8 @@ export function verdict(trial: FailsafeTrial, rows: readonly Failsafes_Row[]): s
 
 /** What the row that acts at the end makes the robot do; empty: none acts then. */
 export function doing(trial: FailsafeTrial, rows: readonly Failsafes_Row[]): string {
-  return rows.find((_, i) => trial.rows[i]?.state === State.ACTIVE)?.does ?? "";
+  const row = rows.find((_, i) => trial.rows[i]?.state === State.ACTIVE);
+  return row ? doesText(row) : "";
 }
 
 /** What becomes of the robot. */
@@ -147,11 +73,16 @@ function metres(value: number): string {
   return value >= 100 ? `${value.toFixed(0)} m` : `${value.toFixed(1)} m`;
 }
 
-/** Rows that were not met, with how much of what they take was used up. */
+/** Rows that were not met, with how much of what they take was used up; many of which nothing was in one line. */
 export function notMet(trial: FailsafeTrial, rows: readonly Failsafes_Row[]): readonly string[] {
-  return trial.rows.flatMap((standing, i) => {
+  const missed = trial.rows.flatMap(({ state, used }, i) => {
     const isMet = trial.events.some((event) => event.row === i && event.what !== What.NOT_MET);
-    if (isMet || standing.state === State.OTHERS) return [];
-    return [`${nameOf(rows[i])} (${standing.used} %)`];
+    return isMet || state === State.OTHERS ? [] : [{ rank: i + 1, row: rows[i], used }];
   });
+  const untouched = missed.filter(({ used }) => used === 0).map(({ rank }) => String(rank));
+  const isMany = untouched.length > kFew;
+  const told = missed.filter(({ used }) => !isMany || used > 0).map(({ row, used }) => `${nameOf(row)} (${used} %)`);
+  return isMany ? [...told, `Rows ${list(untouched)} (0 %)`] : told;
 }
+
+const kFew = 2;

@@ -1,85 +1,157 @@
 // Conditions that a person sets, and the code of the failsafes tried on them.
-import { useState } from "react";
-import type { Failsafes_Row, FailsafeTrial } from "../../core/protocol.ts";
-import { Button, Switch } from "../../ui/controls/controls.tsx";
-import { NumberEntry } from "../../ui/controls/number_entry.tsx";
+import { useEffect, useId, useRef, useState } from "react";
+import { Button, Field, Switch } from "../../ui/controls/controls.tsx";
 import { SelectEntry } from "../../ui/controls/select_entry.tsx";
+import { list } from "../../ui/words/format.ts";
+import { readNumber } from "../../ui/words/read_number.ts";
 import { sentence } from "../../ui/words/sentence.ts";
-import { usePart, useSession } from "../session/session.ts";
+import { usePart } from "../session/session.ts";
 import {
   type AtFence,
   askable,
-  type Conditions,
+  type Bounds,
+  type Draft,
   fences,
-  firstConditions,
+  firstDraft,
   firstFence,
   firstSeconds,
-  kMost,
+  fitted,
+  kBounds,
   type Lasting,
+  type OwnRow,
   orderOf,
-} from "./what_if.ts";
+  ownRows,
+  wrongIn,
+} from "./conditions.ts";
+import { useStandings } from "./use_standings.ts";
+import { type Trial, useTrial } from "./use_trial.ts";
 import { WhatIfResult } from "./what_if_result.tsx";
 
-type Answer = { trial: FailsafeTrial } | { error: string } | null;
-
 export function WhatIf({ robot }: { robot: number }) {
-  const { connection } = useSession();
   const rows = usePart("failsafes");
-  const roster = usePart("roster");
-  const [asked, setAsked] = useState(() => firstConditions(rows));
-  const [answer, setAnswer] = useState<{ of: number; is: Answer }>({ of: robot, is: null });
-  const change = (next: Partial<Conditions>) => {
-    setAsked((before) => ({ ...before, ...next }));
-    setAnswer({ of: robot, is: null });
-  };
-  const ask = async () => {
-    const reply = await connection.ask({ case: "tryFailsafes", value: orderOf(robot, asked) });
-    const found = reply.ok && reply.result.case === "failsafes" ? { trial: reply.result.value } : null;
-    setAnswer({ of: robot, is: found ?? { error: reply.error || "The server did not answer." } });
-  };
-  const shown = answer.of === robot ? answer.is : null;
+  const name = usePart("roster").nameOf(robot);
+  const standings = usePart("standings").get(robot);
+  useStandings("what-if", [robot]);
+  const own = ownRows(rows, standings);
+  const [draft, setDraft] = useState<Draft | null>(null);
+  const asked = fitted(draft ?? firstDraft(own), own);
+  const trial = useTrial(orderOf(robot, asked));
+  const tryIt = () => void trial.tryIt();
+  const entry: EntryProps = { own, asked, change: (next) => setDraft({ ...asked, ...next }), onEnter: tryIt };
+  if (standings && own.length === 0)
+    return (
+      <section className="what-if" aria-label="What if?">
+        <h3>What if?</h3>
+        <p className="small muted">No row of the table is {name}'s: there is nothing to try.</p>
+      </section>
+    );
   return (
     <section className="what-if" aria-label="What if?">
       <h3>What if?</h3>
       <p className="small muted">
-        Tried with {roster.nameOf(robot)}, which drives ahead on open ground, by the code that guards it. The run stays
-        as it is.
+        Tried with {name}, which drives ahead on open ground, by the code that guards it. The run stays as it is.
       </p>
-      {askable(rows).map(([condition, label]) => (
-        <LastingEntry key={condition} condition={condition} label={label} rows={rows} asked={asked} change={change} />
+      {askable(own).map(([condition, label]) => (
+        <LastingEntry key={condition} condition={condition} label={label} {...entry} />
       ))}
-      <FenceEntry rows={rows} asked={asked} change={change} />
-      <div className="what-if-last">
-        <NumberEntry
-          label="Speed [m/s]"
-          value={asked.speed}
-          min={0}
-          max={kMost.speed}
-          onCommit={(speed) => change({ speed })}
-        />
-        <Button tone="primary" onPress={() => void ask()}>
-          Try it
-        </Button>
-      </div>
-      {shown && "error" in shown && (
-        <p className="notice danger" role="alert">
-          {sentence(shown.error)}
-        </p>
-      )}
-      {shown && "trial" in shown && <WhatIfResult trial={shown.trial} rows={rows} />}
+      <FenceEntry {...entry} />
+      <TryIt {...entry} isUnderWay={trial.isUnderWay} />
+      <Outcome trial={trial} />
     </section>
   );
 }
 
-interface EntryProps {
-  rows: readonly Failsafes_Row[];
-  asked: Conditions;
-  change: (next: Partial<Conditions>) => void;
+/** The last number, and what has all of them tried. */
+function TryIt({ asked, change, onEnter, isUnderWay }: EntryProps & { isUnderWay: boolean }) {
+  const reason = useId();
+  const wrong = wrongIn(asked);
+  const isWrong = wrong.length > 0;
+  return (
+    <>
+      <div className="what-if-last">
+        <Amount
+          label="Speed [m/s]"
+          text={asked.speed}
+          bounds={kBounds.speed}
+          onChange={(speed) => change({ speed })}
+          onEnter={onEnter}
+        />
+        <Button
+          tone="primary"
+          isDisabled={isWrong}
+          isPending={isUnderWay}
+          {...(isWrong ? { "aria-describedby": reason } : {})}
+          onPress={onEnter}
+        >
+          Try it
+        </Button>
+      </div>
+      {isWrong && (
+        <p id={reason} className="small muted">
+          To be put right first: {list(wrong)}.
+        </p>
+      )}
+    </>
+  );
 }
 
-function LastingEntry({ condition, label, rows, asked, change }: EntryProps & { condition: Lasting; label: string }) {
+/** Comes into sight by itself: it stands below everything else. */
+function Outcome({ trial: { answer, isUnderWay } }: { trial: Trial }) {
+  const rows = usePart("failsafes");
+  const place = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (answer || isUnderWay) place.current?.scrollIntoView({ block: "nearest" });
+  }, [answer, isUnderWay]);
+  if (!answer && !isUnderWay) return null;
+  return (
+    <div ref={place} className="what-if-outcome">
+      {isUnderWay && (
+        <p className="small muted" role="status">
+          It is being tried…
+        </p>
+      )}
+      {answer && "error" in answer && (
+        <p className="notice danger" role="alert">
+          {sentence(answer.error)}
+        </p>
+      )}
+      {answer && "trial" in answer && <WhatIfResult trial={answer.trial} rows={rows} />}
+    </div>
+  );
+}
+
+interface AmountProps {
+  label: string;
+  text: string;
+  bounds: Bounds;
+  onChange: (text: string) => void;
+  onEnter: () => void;
+}
+
+/** A number that counts as it is typed: no answer stands beside another one. */
+function Amount({ label, text, bounds: { min, max }, onChange, onEnter }: AmountProps) {
+  const { problem } = readNumber(text, min, max);
+  return (
+    <Field label={label} value={text} onChange={onChange} onEnter={onEnter} problem={problem} inputMode="decimal" />
+  );
+}
+
+interface EntryProps {
+  own: readonly OwnRow[];
+  asked: Draft;
+  change: (next: Partial<Draft>) => void;
+  onEnter: () => void;
+}
+
+interface LastingProps extends EntryProps {
+  condition: Lasting;
+  label: string;
+}
+
+function LastingEntry({ condition, label, own, asked, change, onEnter }: LastingProps) {
+  const isRealTime = usePart("status")?.realTime !== undefined;
   const value = asked.lasting[condition];
-  const set = (seconds: number | undefined) => {
+  const set = (seconds: string | undefined) => {
     const { [condition]: _, ...others } = asked.lasting;
     change({ lasting: seconds === undefined ? others : { ...others, [condition]: seconds } });
   };
@@ -88,70 +160,88 @@ function LastingEntry({ condition, label, rows, asked, change }: EntryProps & { 
       <Switch
         label={label}
         value={value !== undefined}
-        onChange={(isOn) => set(isOn ? firstSeconds(rows, condition) : undefined)}
+        onChange={(isOn) => set(isOn ? firstSeconds(own, condition) : undefined)}
       />
       {value !== undefined && (
-        <NumberEntry label="for [s]" value={value} min={0} max={kMost.seconds} onCommit={(seconds) => set(seconds)} />
+        <Amount label="for [s]" text={value} bounds={kBounds.seconds} onChange={set} onEnter={onEnter} />
+      )}
+      {value !== undefined && condition === "LINK-LOST" && !isRealTime && (
+        <p className="small muted wide">
+          Without <span className="unbroken">--real-time</span> nobody looks at it in this run.
+        </p>
       )}
     </div>
   );
 }
 
-function FenceEntry({ rows, asked, change }: EntryProps) {
-  const choices = fences(rows);
+function FenceEntry({ own, asked, change, onEnter }: EntryProps) {
+  const choices = fences(own);
   const { fence } = asked;
   if (choices.length === 0) return null;
-  const set = (next: Partial<AtFence>) => fence && change({ fence: { ...fence, ...next } });
   return (
     <div className="what-if-condition">
       <Switch
         label="At a fence"
         value={fence !== null}
-        onChange={(isOn) => change({ fence: isOn ? firstFence(rows) : null })}
+        onChange={(isOn) => change({ fence: isOn ? firstFence(own) : null })}
       />
       {fence && (
-        <div className="what-if-fence">
-          <SelectEntry
-            label="Fence"
-            value={String(fence.row)}
-            choices={choices}
-            onChange={(row) => set({ row: Number(row) })}
-          />
-          <SelectEntry
-            label="Side"
-            value={fence.side}
-            choices={[
-              ["inside", "Inside"],
-              ["outside", "Outside"],
-            ]}
-            onChange={(side) => set({ side })}
-          />
-          <NumberEntry
-            label="Distance [m]"
-            value={fence.distance}
-            min={0}
-            max={kMost.distance}
-            onCommit={(distance) => set({ distance })}
-          />
-          <NumberEntry
-            label="Heading [deg]"
-            value={fence.bearing}
-            min={-kMost.bearing}
-            max={kMost.bearing}
-            onCommit={(bearing) => set({ bearing })}
-          />
-          <p className="small muted wide">
-            The distance is from the line. Heading 0 is straight out, 90 along the line, 180 straight in.
-          </p>
-          {fence.side === "outside" && (
-            <div className="wide">
-              <Switch
-                label="Started there"
-                value={fence.beginsThere}
-                onChange={(beginsThere) => set({ beginsThere })}
-              />
-            </div>
-          )}
+        <FencePlace
+          fence={fence}
+          choices={choices}
+          set={(next) => change({ fence: { ...fence, ...next } })}
+          onEnter={onEnter}
+        />
+      )}
+    </div>
+  );
+}
+
+interface FencePlaceProps {
+  fence: AtFence<string>;
+  choices: readonly (readonly [string, string])[];
+  set: (next: Partial<AtFence<string>>) => void;
+  onEnter: () => void;
+}
+
+function FencePlace({ fence, choices, set, onEnter }: FencePlaceProps) {
+  return (
+    <div className="what-if-fence">
+      <SelectEntry
+        label="Fence"
+        value={String(fence.row)}
+        choices={choices}
+        onChange={(row) => set({ row: Number(row) })}
+      />
+      <SelectEntry
+        label="Side"
+        value={fence.side}
+        choices={[
+          ["inside", "Inside"],
+          ["outside", "Outside"],
+        ]}
+        onChange={(side) => set({ side })}
+      />
+      <Amount
+        label="Distance [m]"
+        text={fence.distance}
+        bounds={kBounds.distance}
+        onChange={(distance) => set({ distance })}
+        onEnter={onEnter}
+      />
+      <Amount
+        label="Heading [deg]"
+        text={fence.bearing}
+        bounds={kBounds.bearing}
+        onChange={(bearing) => set({ bearing })}
+        onEnter={onEnter}
+      />
+      <p className="small muted wide">
+        The distance is from the line. Heading 0 is straight out, 90 along the line, 180 straight in.
+      </p>
+      {fence.side === "outside" && (
+        <div className="wide">
+          <Switch label="Started there" value={fence.beginsThere} onChange={(beginsThere) => set({ beginsThere })} />
         </div>
       )}
     </div>

@@ -62,7 +62,9 @@ export function RobotFacts({ id }: { id: number }) {
           ["Carries", detail.carried ? `object ${detail.carried}` : "nothing"],
         ]}
       />
-      {(detail.machine || detail.fault) && <SaidThere key={id} robot={id} machine={detail.machine} />}
+      {(detail.machine || detail.fault) && (
+        <SaidThere key={`${id} ${detail.machine}`} robot={id} machine={detail.machine} />
+      )}
     </div>
   );
 }

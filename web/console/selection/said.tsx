@@ -1,31 +1,41 @@
 import { useEffect, useRef, useState } from "react";
 import type { Said } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
-import { sentence } from "../../ui/words/sentence.ts";
 import { useSession } from "../session/session.ts";
+import { whyNotRead } from "./not_read.ts";
 
-/** What a robot's program and the agent of its machine said last, read when somebody asks. */
+/** What a robot's program and the agent of its machine said last, read when somebody asks; of one machine alone. */
 export function SaidThere({ robot, machine }: { robot: number; machine: string }) {
   const { connection } = useSession();
   const [said, setSaid] = useState<Said | undefined>();
   const [readAt, setReadAt] = useState(0);
   const [problem, setProblem] = useState("");
+  const [isReading, setIsReading] = useState(false);
   const section = useRef<HTMLElement>(null);
   // What was asked for stands below everything else.
   useEffect(() => {
     if (said || problem) section.current?.scrollIntoView({ block: "nearest" });
   }, [said, problem]);
   const read = async () => {
+    setIsReading(true);
     const reply = await connection.ask({ case: "readSaid", value: { robot } });
-    setProblem(reply.ok ? "" : sentence(reply.error));
+    setIsReading(false);
+    setProblem(reply.ok ? "" : whyNotRead(reply.error, machine));
     if (reply.result.case !== "said") return;
     setSaid(reply.result.value);
     setReadAt(Date.now());
   };
   return (
     <section ref={section} className="rows said" aria-label="Messages">
-      <Button onPress={() => void read()}>{said ? "Read messages again" : "Read messages"}</Button>
-      {problem && <p className="notice danger">{problem}</p>}
+      <Button isPending={isReading} onPress={() => void read()}>
+        {said ? "Read messages again" : "Read messages"}
+      </Button>
+      {problem && (
+        <p className="notice danger" role="alert">
+          {problem}
+        </p>
+      )}
+      {problem && said && <p className="small muted">What follows was read at {clock(readAt)}.</p>}
       {said && (
         <>
           <h3>Its program</h3>
@@ -48,5 +58,9 @@ export function SaidThere({ robot, machine }: { robot: number; machine: string }
 
 /** `14:03:12  a run has begun`, by the clock of who reads it. */
 function lineText(line: { age: number; text: string }, readAt: number): string {
-  return `${new Date(readAt - line.age * 1000).toLocaleTimeString([], { hour12: false })}  ${line.text}`;
+  return `${clock(readAt - line.age * 1000)}  ${line.text}`;
+}
+
+function clock(time: number): string {
+  return new Date(time).toLocaleTimeString([], { hour12: false });
 }

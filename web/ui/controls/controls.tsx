@@ -129,6 +129,8 @@ interface FieldProps {
   onChange: (value: string) => void;
   /** Enter, or leaving the field. */
   onCommit?: (value: string) => void;
+  /** Enter alone. */
+  onEnter?: () => void;
   problem?: string | undefined;
   help?: string;
   hiddenLabel?: boolean;
@@ -160,6 +162,7 @@ export function Field(props: FieldProps) {
         if (event.key === "Enter") {
           onCommit?.(value);
           entered.current = value;
+          props.onEnter?.();
         }
         if (event.key !== "Escape") return;
         // A dialog is left by Escape from its fields, too.

@@ -1,5 +1,6 @@
 // A number that is typed, and takes effect with Enter or on leaving the field.
 import { useEffect, useState } from "react";
+import { readNumber } from "../words/read_number.ts";
 import { Field } from "./controls.tsx";
 
 interface Props {
@@ -34,19 +35,4 @@ export function NumberEntry({ label, value, onCommit, min, max, whenZero, isDisa
       inputMode="decimal"
     />
   );
-}
-
-function readNumber(
-  text: string,
-  min = Number.NEGATIVE_INFINITY,
-  max = Number.POSITIVE_INFINITY,
-  isOptional = false,
-): { number: number; problem: string | undefined } {
-  const trimmed = text.trim().replace(",", ".");
-  if (trimmed === "") return { number: 0, problem: isOptional ? undefined : "A number is needed." };
-  const number = Number(trimmed);
-  if (!Number.isFinite(number)) return { number: 0, problem: "This is no number." };
-  if (number < min) return { number, problem: `At least ${min}.` };
-  if (number > max) return { number, problem: `At most ${max}.` };
-  return { number, problem: undefined };
 }
