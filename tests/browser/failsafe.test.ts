@@ -145,3 +145,45 @@ test("a mission without failsafes says how one is written", async () => {
   await panel.getByRole("button", { name: "Open the text" }).click();
   await console.page.getByRole("region", { name: "Text", exact: true }).waitFor();
 });
+
+const kLongType = "a_type_of_robots_with_a_very_long_name_x";
+const kOfTypes = `MISSION NAME "types"
+OVERLAY demo_c.odl
+NEW-ROBOT ${kLongType} "robot"
+FAILSAFE FOR ${kLongType} OUTSIDE Field HOLD
+FAILSAFE OUTSIDE Yard CONTINUE
+UNIT <a> ROBOT
+UNIT <b> ${kLongType}
+COMMAND LIST:
+  0. UNIT a START 100 100 AND UNIT b START 100 80
+`;
+
+test("what if offers the fences that are the robot's, in a panel that long names don't widen", async () => {
+  const { console } = await begin({
+    mission: "demo_c",
+    prepare: (folder) => {
+      folder.write("demo_c.mdl", kOfTypes);
+      folder.write("demo_c.odl", `${kOverlay}BOUNDARY Yard 10 10 300 10 300 190 10 190\n`);
+    },
+  });
+  await console.reaches("Ready");
+  const panel = await console.panel("Failsafes");
+  const whatIf = panel.getByRole("region", { name: "What if?" });
+  const offered = () => whatIf.getByRole("combobox", { name: "Fence" }).locator("option").allTextContents();
+  await expect.poll(offered).toEqual(["2. Yard"]);
+  await whatIf.getByRole("textbox", { name: "Distance [m]" }).fill("2");
+  await whatIf.getByRole("textbox", { name: "Distance [m]" }).press("Enter");
+  await whatIf.getByRole("status").getByText("OUTSIDE Yard CONTINUE acts.").waitFor();
+  await whatIf.getByText("What its program wants goes on but for the way out: the fence holds.").waitFor();
+
+  await console.select("Robot 2");
+  await whatIf.getByRole("status").waitFor({ state: "detached" });
+  await expect.poll(offered).toEqual(["1. Field", "2. Yard"]);
+  await panel.getByText(`of ${kLongType} only`).waitFor();
+  const body = panel.locator(".failsafes");
+  for (const width of [1280, 768]) {
+    await console.page.setViewportSize({ width, height: 900 });
+    await console.panel("Failsafes");
+    await expect.poll(() => body.evaluate((one) => one.scrollWidth - one.clientWidth)).toBe(0);
+  }
+});

@@ -25,11 +25,14 @@ test("robots of a machine that is lost are replaced, and go on under their order
   const selection = await console.panel("Selection");
   await selection.getByText("Faulted", { exact: true }).waitFor();
   await selection.getByText(/the agent on .north. was silent/).waitFor();
+  await selection.getByRole("button", { name: "Read messages" }).click();
+  await selection.getByText(/^Messages can't be read: the agent on .north. /).waitFor();
   const replace = selection.getByRole("button", { name: /^Replace/ });
   await replace.click();
   await selection.getByText("Running", { exact: true }).waitFor();
   await selection.getByText("south", { exact: true }).waitFor();
   await expect.poll(() => replace.count()).toBe(0);
+  expect(await selection.getByText(/^Messages can't be read/).count()).toBe(0);
   await selection.getByText(/OCCUPY AA-AA1/).waitFor();
   await selection.getByRole("button", { name: "Read messages" }).click();
   await selection.getByText(/a run has begun to talk to this agent/).waitFor();
