@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "react";
 import type { Said } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
+import { sentence } from "../../ui/words/sentence.ts";
 import { useSession } from "../session/session.ts";
-import { whyNotRead } from "./not_read.ts";
 
 /** What a robot's program and the agent of its machine said last, read when somebody asks; of one machine alone. */
 export function SaidThere({ robot, machine }: { robot: number; machine: string }) {
@@ -20,7 +20,7 @@ export function SaidThere({ robot, machine }: { robot: number; machine: string }
     setIsReading(true);
     const reply = await connection.ask({ case: "readSaid", value: { robot } });
     setIsReading(false);
-    setProblem(reply.ok ? "" : whyNotRead(reply.error, machine));
+    setProblem(reply.ok ? "" : sentence(`messages can't be read: ${reply.error}`));
     if (reply.result.case !== "said") return;
     setSaid(reply.result.value);
     setReadAt(Date.now());

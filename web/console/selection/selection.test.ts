@@ -2,7 +2,6 @@ import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { Port_Role, PortSchema, RobotDetail_ContributionSchema } from "../../core/protocol.ts";
 import { kSliderEnd, placeOnSlider, valueOnSlider } from "../../core/slider_scale.ts";
-import { whyNotRead } from "./not_read.ts";
 import { isSwitchedOn, parameterKind, parameterProblem, sliderOf, valueNumber } from "./parameter.ts";
 import { portGroups, spacedName, splitPath } from "./ports.ts";
 import { vectorSums } from "./why.ts";
@@ -92,13 +91,4 @@ describe("why", () => {
     expect(sum?.members.map((member) => member.effect)).toEqual(["with", "against", "none"]);
   });
   it("has nothing to say where nothing moves the robot", () => expect(vectorSums([])).toEqual([]));
-});
-
-describe("messages that can't be read", () => {
-  it("are explained in whole sentences, with the agent that is meant", () => {
-    const silent = "Messages can't be read: the agent on “north” has been silent for 9 s.";
-    expect(whyNotRead("the agent on `north` has been silent for 9 s", "north")).toBe(silent);
-    expect(whyNotRead("has been silent for 9 s", "north")).toBe(silent);
-    expect(whyNotRead("there is no robot 9", "north")).toBe("Messages can't be read: there is no Robot 9.");
-  });
 });

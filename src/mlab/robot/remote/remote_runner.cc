@@ -243,7 +243,7 @@ std::string RemoteRunner::machine(Member member) const {
 std::expected<robot::Said, std::string> RemoteRunner::said(Member member) {
   const Robot& robot = members_[member];
   if (robot.carrier == nullptr) return robot::Said{};
-  if (is_in_cycle_) return std::unexpected("can't be asked while a cycle is waited for");
+  if (is_in_cycle_) return std::unexpected("its agent can't be asked while a cycle is waited for");
   if (const double silent = robot.carrier->agent->silence(); silent > 0.0)
     return std::unexpected(
         fmt::format("the agent on `{}` has been silent for {:.0f} s", robot.carrier->agent->name(), silent));
