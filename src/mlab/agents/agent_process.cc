@@ -57,7 +57,7 @@ class AgentProcess {
  public:
   AgentProcess(const AgentSettings& settings, std::optional<robot::ExecutableOrigin> executable,
                std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Reader requests, dds::Reader stops,
-               EchoAnswerer echoes, dds::Writer presence, MissedTeller missed)
+               EchoAnswerer echoes, dds::Writer presence)
       : settings_(settings),
         executable_(std::move(executable)),
         roster_(std::move(roster)),
@@ -66,7 +66,7 @@ class AgentProcess {
         stops_(std::move(stops)),
         echoes_(std::move(echoes)),
         presence_(std::move(presence)),
-        missed_(std::move(missed)) {}
+        missed_(roster_->participant(), "agent " + settings.name) {}
 
   /// @errors  a sentence: it can't stay
   std::optional<std::string> serve(const std::stop_token& stop) {
@@ -350,11 +350,8 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!echoes) return echoes.error();
   auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
   if (!presence) return presence.error();
-  auto missed = MissedTeller::open(participant, "agent " + settings.name);
-  if (!missed) return missed.error();
   AgentProcess process(settings, std::move(executable), std::move(*roster), std::move(*waiter),
-                       std::move(*requests), std::move(*stops), std::move(*echoes), std::move(*presence),
-                       std::move(*missed));
+                       std::move(*requests), std::move(*stops), std::move(*echoes), std::move(*presence));
   if (settings.tell_ready) settings.tell_ready();
   return process.serve(stop);
 }

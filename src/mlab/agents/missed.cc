@@ -71,23 +71,27 @@ std::optional<MissedAgents> decode_missed(std::string_view message) {
   return out;
 }
 
-std::expected<MissedTeller, std::string> MissedTeller::open(dds::Participant& participant, std::string by) {
-  auto writer = participant.writer(kMissedTopic, dds::ChannelKind::kStatus);
-  if (!writer) return std::unexpected(writer.error());
+MissedTeller::MissedTeller(dds::Participant& participant, std::string by)
+    : participant_(participant), by_(std::move(by)) {
   // Tellers are told apart by it, nothing else depends on it.
   std::random_device random;
-  return MissedTeller(std::move(*writer), std::move(by), fmt::format("{:08x}{:08x}", random(), random()));
+  key_ = fmt::format("{:08x}{:08x}", random(), random());
 }
 
 MissedTeller::~MissedTeller() {
-  if (is_said_ && !key_.empty()) static_cast<void>(writer_.end(key_));
+  if (is_said_ && writer_) static_cast<void>(writer_->end(key_));
 }
 
 void MissedTeller::say(std::vector<Missed> agents) {
   if (agents.empty() && !is_said_) return;
+  if (!writer_) {
+    auto made = participant_.writer(kMissedTopic, dds::ChannelKind::kStatus);
+    if (!made) return;  // the next time
+    writer_.emplace(std::move(*made));
+  }
   const bool is_over = agents.empty();
   // One that nobody takes is followed by the next; the last one is said until it is taken.
-  const dds::Written written = writer_.write(key_, encode(MissedAgents{by_, std::move(agents)}));
+  const dds::Written written = writer_->write(key_, encode(MissedAgents{by_, std::move(agents)}));
   is_said_ = !is_over || written != dds::Written::kDone;
 }
 

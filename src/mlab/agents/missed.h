@@ -48,14 +48,14 @@ std::string encode(const MissedAgents& missed);
 /// Nothing where it is nonsense; agents that can't be are left out, and text is fit for people.
 std::optional<MissedAgents> decode_missed(std::string_view message);
 
-/// Says whom somebody misses. One thread at a time.
+/// Says whom somebody misses. One thread at a time. Who never misses anybody costs the fleet nothing.
 class MissedTeller {
  public:
-  /// @param by  who says it, for people
-  /// @errors    a sentence: the network can't be used
-  static std::expected<MissedTeller, std::string> open(dds::Participant& participant, std::string by);
-  MissedTeller(MissedTeller&&) = default;
-  MissedTeller& operator=(MissedTeller&&) = delete;
+  /// @param participant  outlives this
+  /// @param by           who says it, for people
+  MissedTeller(dds::Participant& participant, std::string by);
+  MissedTeller(const MissedTeller&) = delete;
+  MissedTeller& operator=(const MissedTeller&) = delete;
   /// Whoever has left misses nobody.
   ~MissedTeller();
 
@@ -63,12 +63,10 @@ class MissedTeller {
   void say(std::vector<Missed> agents);
 
  private:
-  MissedTeller(dds::Writer writer, std::string by, std::string key)
-      : writer_(std::move(writer)), by_(std::move(by)), key_(std::move(key)) {}
-
-  dds::Writer writer_;
+  dds::Participant& participant_;
   std::string by_;
-  std::string key_;  // empty: moved from
+  std::string key_;
+  std::optional<dds::Writer> writer_;  // nothing: there was nobody to tell of yet, or it can't be made
   bool is_said_ = false;
 };
 

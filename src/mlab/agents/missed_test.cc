@@ -136,8 +136,8 @@ class Heard : public ::testing::Test {
 TEST_F(Heard, IsWhatThoseSayWhoHaveHeardItLast) {
   dds::Participant north = participant(fleet_);
   dds::Participant west = participant(fleet_);
-  auto by_north = MissedTeller::open(north, "agent north").value();
-  auto by_west = MissedTeller::open(west, "agent west").value();
+  MissedTeller by_north(north, "agent north");
+  MissedTeller by_west(west, "agent west");
   by_north.say({{"south", "field", 50.0}, {"east", "", 1.0}});
   ASSERT_EQ(wait_for(2).size(), 2U);
   by_west.say({{"south", "field", 7.0}, {"last", "", 1.0}});
@@ -154,7 +154,7 @@ TEST_F(Heard, IsWhatThoseSayWhoHaveHeardItLast) {
 TEST_F(Heard, GoesWithWhoSaidItWhereHeLeavesInOrder) {
   dds::Participant north = participant(fleet_);
   {
-    auto teller = MissedTeller::open(north, "agent north").value();
+    MissedTeller teller(north, "agent north");
     teller.say({{"south", "field", 1.0}});
     ASSERT_EQ(wait_for(1).size(), 1U);
   }
@@ -163,7 +163,7 @@ TEST_F(Heard, GoesWithWhoSaidItWhereHeLeavesInOrder) {
 
 TEST_F(Heard, ReachesWhoComesLate) {
   dds::Participant north = participant(fleet_);
-  auto teller = MissedTeller::open(north, "agent north").value();
+  MissedTeller teller(north, "agent north");
   teller.say({{"south", "field", 1.0}});
   ASSERT_EQ(wait_for(1).size(), 1U);
   auto late = Hearsay::open(here_, waiter_).value();

@@ -39,26 +39,18 @@ std::expected<std::unique_ptr<StopSwitch>, std::string> StopSwitch::open(std::sh
   if (!writer) return std::unexpected(writer.error());
   auto hearsay = Hearsay::open(participant, *waiter);
   if (!hearsay) return std::unexpected(hearsay.error());
-  std::optional<MissedTeller> teller;
-  if (!by.empty()) {
-    auto opened = MissedTeller::open(participant, std::move(by));
-    if (!opened) return std::unexpected(opened.error());
-    teller.emplace(std::move(*opened));
-  }
   return std::unique_ptr<StopSwitch>(new StopSwitch(std::move(roster), std::move(*waiter), std::move(*reader),
-                                                    std::move(*writer), std::move(*hearsay),
-                                                    std::move(teller)));
+                                                    std::move(*writer), std::move(*hearsay), std::move(by)));
 }
 
 StopSwitch::StopSwitch(std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Reader reader,
-                       dds::Writer writer, std::unique_ptr<Hearsay> hearsay,
-                       std::optional<MissedTeller> teller)
+                       dds::Writer writer, std::unique_ptr<Hearsay> hearsay, std::string by)
     : roster_(std::move(roster)),
       waiter_(std::move(waiter)),
       reader_(std::move(reader)),
       writer_(std::move(writer)),
       hearsay_(std::move(hearsay)),
-      teller_(std::move(teller)),
+      teller_(by.empty() ? nullptr : std::make_unique<MissedTeller>(roster_->participant(), std::move(by))),
       thread_([this](const std::stop_token& stop) { serve(stop); }) {}
 
 StopSwitch::~StopSwitch() {

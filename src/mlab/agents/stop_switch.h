@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -56,7 +55,7 @@ class StopSwitch {
 
  private:
   StopSwitch(std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Reader reader, dds::Writer writer,
-             std::unique_ptr<Hearsay> hearsay, std::optional<MissedTeller> teller);
+             std::unique_ptr<Hearsay> hearsay, std::string by);
   void spread();
   void serve(const std::stop_token& stop);
   bool listen();
@@ -70,7 +69,7 @@ class StopSwitch {
   dds::Reader reader_;
   dds::Writer writer_;
   std::unique_ptr<Hearsay> hearsay_;
-  std::optional<MissedTeller> teller_;  // of the switch's thread
+  std::unique_ptr<MissedTeller> teller_;  // of the switch's thread; null: nobody is told
   mutable std::mutex mutex_;
   StopState state_;
   std::uint64_t own_pull_ = 0;  // the last that was pulled here; 0: none
