@@ -4,26 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/fleet/testing/failsafe_row.h"
+
 namespace mlab::fleet {
 namespace {
 
 using mission::Failsafe;
 using mission::FailsafeAction;
 using mission::FailsafeCondition;
+using testing::row;
 
 constexpr double kCycle = 0.1;
-
-Failsafe row(FailsafeCondition condition, FailsafeAction action, double seconds = 0.0) {
-  Failsafe out;
-  out.condition = condition;
-  out.action = action;
-  out.seconds = seconds;
-  if (condition == FailsafeCondition::kOutside) {
-    out.fence_name = "Field";
-    out.fence = {{0, 0}, {100, 0}, {100, 60}, {0, 60}};
-  }
-  return out;
-}
 
 // A robot in the middle of nowhere, whose program wants to go east.
 struct Robot {

@@ -8,28 +8,19 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "mlab/fleet/testing/failsafe_row.h"
+
 namespace mlab::fleet {
 namespace {
 
 using mission::Failsafe;
 using mission::FailsafeAction;
 using mission::FailsafeCondition;
+using testing::row;
 using State = RowStanding::State;
 using What = WhatIfEvent::What;
 
 constexpr double kTenth = 0.1;
-
-Failsafe rule(FailsafeCondition condition, FailsafeAction action, double seconds = 0.0) {
-  Failsafe out;
-  out.condition = condition;
-  out.action = action;
-  out.seconds = seconds;
-  if (condition == FailsafeCondition::kOutside) {
-    out.fence_name = "Field";
-    out.fence = {{0, 0}, {100, 0}, {100, 60}, {0, 60}};
-  }
-  return out;
-}
 
 // A robot at (50, 30) that came from (20, 30).
 struct Tried {
@@ -62,8 +53,8 @@ double when(const WhatIfOutcome& outcome, std::size_t row, What what) {
 }
 
 TEST(WhatIf, WhereNothingIsWrongNothingHappens) {
-  Tried robot({rule(FailsafeCondition::kInContact, FailsafeAction::kHold, 0.5),
-               rule(FailsafeCondition::kStuck, FailsafeAction::kStop, 30.0)});
+  Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold, 0.5),
+               row(FailsafeCondition::kStuck, FailsafeAction::kStop, 30.0)});
   const WhatIfOutcome outcome = robot.of({});
   EXPECT_TRUE(outcome.events.empty());
   EXPECT_EQ(outcome.rows[0].state, State::kArmed);
@@ -71,8 +62,8 @@ TEST(WhatIf, WhereNothingIsWrongNothingHappens) {
 }
 
 TEST(WhatIf, WhoIsHeldAtAFenceAndWantsToGoOnIsStuckThereInTime) {
-  Tried robot({rule(FailsafeCondition::kStuck, FailsafeAction::kHold, 5.0),
-               rule(FailsafeCondition::kOutside, FailsafeAction::kContinue)});
+  Tried robot({row(FailsafeCondition::kStuck, FailsafeAction::kHold, 5.0),
+               row(FailsafeCondition::kOutside, FailsafeAction::kContinue)});
   const WhatIfOutcome inside = robot.of({.fence = WhatIf::AtFence{.row = 1, .depth = 5.0}});
   ASSERT_TRUE(inside.stood);
   EXPECT_NEAR(when(inside, 0, What::kActs), *inside.stood + 5.0, 0.5);
@@ -84,7 +75,7 @@ TEST(WhatIf, WhoIsHeldAtAFenceAndWantsToGoOnIsStuckThereInTime) {
 }
 
 TEST(WhatIf, WhoBeginsOnTheLineOrComesToItFromOutsideIsLetIn) {
-  Tried robot({rule(FailsafeCondition::kOutside, FailsafeAction::kHold)});
+  Tried robot({row(FailsafeCondition::kOutside, FailsafeAction::kHold)});
   for (const auto& [depth, speed] : {std::pair{0.0, 1.0}, {-10.0, 10.0}, {-5.0, 5.0}, {-10.0, 50.0}}) {
     const WhatIfOutcome out =
         robot.of({.speed = speed,
@@ -97,9 +88,9 @@ TEST(WhatIf, WhoBeginsOnTheLineOrComesToItFromOutsideIsLetIn) {
 
 TEST(WhatIf, ARowIsMetWhenItsConditionLastsForAsLongAsItSays) {
   for (const double seconds : {0.3, 0.7, 1.0, 5.0}) {
-    Tried robot({rule(FailsafeCondition::kInContact, FailsafeAction::kHold, seconds),
-                 rule(FailsafeCondition::kLinkLost, FailsafeAction::kContinue, std::max(seconds, 0.6)),
-                 rule(FailsafeCondition::kStuck, FailsafeAction::kContinue, seconds)});
+    Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold, seconds),
+                 row(FailsafeCondition::kLinkLost, FailsafeAction::kContinue, std::max(seconds, 0.6)),
+                 row(FailsafeCondition::kStuck, FailsafeAction::kContinue, seconds)});
     EXPECT_NEAR(when(robot.of({.in_contact = seconds}), 0, What::kMet), seconds, 0.11) << seconds;
     EXPECT_NEAR(when(robot.of({.link_lost = std::max(seconds, 0.6)}), 1, What::kMet), std::max(seconds, 0.6),
                 0.11);
@@ -108,15 +99,15 @@ TEST(WhatIf, ARowIsMetWhenItsConditionLastsForAsLongAsItSays) {
 }
 
 TEST(WhatIf, WhatDoesNotLastForLongEnoughIsTold) {
-  Tried robot({rule(FailsafeCondition::kInContact, FailsafeAction::kHold, 2.0)});
+  Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold, 2.0)});
   const WhatIfOutcome outcome = robot.of({.in_contact = 1.0});
   EXPECT_LT(when(outcome, 0, What::kMet), 0.0);
   EXPECT_NEAR(outcome.most_used[0], 0.55, 0.051);
 }
 
 TEST(WhatIf, OfSeveralTheHighestRankActsAndTheOtherGivesWay) {
-  Tried robot({rule(FailsafeCondition::kLinkLost, FailsafeAction::kReturn, 5.0),
-               rule(FailsafeCondition::kInContact, FailsafeAction::kHold, 0.5)});
+  Tried robot({row(FailsafeCondition::kLinkLost, FailsafeAction::kReturn, 5.0),
+               row(FailsafeCondition::kInContact, FailsafeAction::kHold, 0.5)});
   const WhatIfOutcome outcome = robot.of({.link_lost = 8.0, .in_contact = 8.0});
   EXPECT_NEAR(when(outcome, 1, What::kActs), 0.5, 0.01);
   EXPECT_NEAR(when(outcome, 0, What::kActs), 5.0, 0.01);
@@ -127,21 +118,21 @@ TEST(WhatIf, OfSeveralTheHighestRankActsAndTheOtherGivesWay) {
 }
 
 TEST(WhatIf, ARobotWhoseLinkIsLostStandsByItself) {
-  Tried robot({rule(FailsafeCondition::kLinkLost, FailsafeAction::kReturn, 5.0)});
+  Tried robot({row(FailsafeCondition::kLinkLost, FailsafeAction::kReturn, 5.0)});
   const WhatIfOutcome outcome = robot.of({.link_lost = 3.0});
   EXPECT_LT(when(outcome, 0, What::kMet), 0.0);
   EXPECT_NEAR(outcome.to.position.x, 51.6, 0.2) << "after half a second, until it is heard again";
 }
 
 TEST(WhatIf, AHeldRobotGoesOnWhenWhatWasWrongIsOver) {
-  Tried robot({rule(FailsafeCondition::kInContact, FailsafeAction::kHold)});
+  Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold)});
   const WhatIfOutcome outcome = robot.of({.in_contact = 2.0});
   EXPECT_NEAR(when(outcome, 0, What::kActs), 0.1, 0.01);
   EXPECT_NEAR(when(outcome, 0, What::kIsOver), 2.2, 0.11);
 }
 
 TEST(WhatIf, AStoppedRobotBrakesAndNothingGuardsItAnyMore) {
-  Tried robot({rule(FailsafeCondition::kInContact, FailsafeAction::kStop)});
+  Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kStop)});
   robot.kinematics.max_acceleration = 1.0;
   const WhatIfOutcome outcome = robot.of({.in_contact = 5.0, .speed = 2.0});
   EXPECT_TRUE(outcome.has_stopped);
@@ -152,7 +143,7 @@ TEST(WhatIf, AStoppedRobotBrakesAndNothingGuardsItAnyMore) {
 TEST(WhatIf, AFenceIsNotCrossedFromAnySpeedUnderAnyHeading) {
   for (const double speed : {0.5, 1.0, 4.0, 12.0}) {
     for (const double bearing : {0.0, 0.5, -1.2}) {
-      Tried robot({rule(FailsafeCondition::kOutside, FailsafeAction::kHold)});
+      Tried robot({row(FailsafeCondition::kOutside, FailsafeAction::kHold)});
       robot.kinematics.max_acceleration = 3.0;
       const WhatIfOutcome outcome =
           robot.of({.speed = speed, .fence = WhatIf::AtFence{.depth = 28.0, .bearing = bearing}});
@@ -167,7 +158,7 @@ TEST(WhatIf, AFenceIsNotCrossedFromAnySpeedUnderAnyHeading) {
 }
 
 TEST(WhatIf, WhoIsOutsideIsHeldAndWhoBeginsThereIsLetIn) {
-  Tried robot({rule(FailsafeCondition::kOutside, FailsafeAction::kHold)});
+  Tried robot({row(FailsafeCondition::kOutside, FailsafeAction::kHold)});
   const double kIn = std::numbers::pi;
   const WhatIfOutcome held = robot.of({.fence = WhatIf::AtFence{.depth = -2.0, .bearing = kIn}});
   EXPECT_GE(when(held, 0, What::kActs), 0.0);
@@ -181,7 +172,7 @@ TEST(WhatIf, WhoIsOutsideIsHeldAndWhoBeginsThereIsLetIn) {
 }
 
 TEST(WhatIf, ReversingInsideEndsThreeMetresFromTheLine) {
-  Tried robot({rule(FailsafeCondition::kOutside, FailsafeAction::kReverseInside)});
+  Tried robot({row(FailsafeCondition::kOutside, FailsafeAction::kReverseInside)});
   robot.kinematics.drive = binding::Drive::kCar;
   const WhatIfOutcome outcome = robot.of({.fence = WhatIf::AtFence{.depth = 5.0}});
   EXPECT_NEAR(outcome.last_room, 3.0, 0.1);
@@ -190,8 +181,8 @@ TEST(WhatIf, ReversingInsideEndsThreeMetresFromTheLine) {
 
 TEST(WhatIf, WhatCantBeTriedIsRefusedWithWhatIsExpected) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  Tried robot({rule(FailsafeCondition::kOutside, FailsafeAction::kHold),
-               rule(FailsafeCondition::kStuck, FailsafeAction::kHold, 2.0)});
+  Tried robot({row(FailsafeCondition::kOutside, FailsafeAction::kHold),
+               row(FailsafeCondition::kStuck, FailsafeAction::kHold, 2.0)});
   const auto error = [&](const WhatIf& asked) {
     const auto out = robot.asked(asked);
     return out ? std::string() : out.error();
@@ -214,7 +205,7 @@ TEST(WhatIf, WhatCantBeTriedIsRefusedWithWhatIsExpected) {
 }
 
 TEST(WhatIf, WhatWouldBeTooMuchWorkIsCut) {
-  Failsafe fence = rule(FailsafeCondition::kOutside, FailsafeAction::kContinue);
+  Failsafe fence = row(FailsafeCondition::kOutside, FailsafeAction::kContinue);
   fence.fence.clear();
   for (int i = 0; i < 20'000; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / 20'000;
@@ -224,7 +215,7 @@ TEST(WhatIf, WhatWouldBeTooMuchWorkIsCut) {
   const WhatIfOutcome many_sides = robot.of({.link_lost = 600.0, .fence = WhatIf::AtFence{.depth = 1.0}});
   EXPECT_TRUE(many_sides.is_cut);
   EXPECT_LT(many_sides.seconds, 600.0);
-  Tried hardly_brakes(std::vector(16, rule(FailsafeCondition::kOutside, FailsafeAction::kReverseInside)));
+  Tried hardly_brakes(std::vector(16, row(FailsafeCondition::kOutside, FailsafeAction::kReverseInside)));
   hardly_brakes.kinematics = {
       .drive = binding::Drive::kCar, .max_acceleration = 5e-4, .max_turn_acceleration = 0.01};
   const auto small_steps = hardly_brakes.asked(
@@ -232,7 +223,7 @@ TEST(WhatIf, WhatWouldBeTooMuchWorkIsCut) {
   ASSERT_TRUE(small_steps);
   EXPECT_TRUE(small_steps->is_cut);
   EXPECT_LT(small_steps->seconds, 1.0);
-  Tried quick({rule(FailsafeCondition::kStuck, FailsafeAction::kHold, 2.0)});
+  Tried quick({row(FailsafeCondition::kStuck, FailsafeAction::kHold, 2.0)});
   const auto short_cycles = quick.asked({.stuck = 600.0}, 0.001);
   ASSERT_TRUE(short_cycles);
   EXPECT_TRUE(short_cycles->is_cut);
@@ -243,10 +234,10 @@ RC_GTEST_PROP(WhatIf, EndsInFiniteNumbersWhateverIsAsked, (const std::vector<int
   const auto some = [&](std::size_t i, double most) {
     return bits.size() > i ? std::abs(bits[i] % 1000) / 1000.0 * most : 0.0;
   };
-  Tried robot({rule(FailsafeCondition::kOutside, FailsafeAction::kReverseInside),
-               rule(FailsafeCondition::kLinkLost, FailsafeAction::kReturn, some(8, 10.0)),
-               rule(FailsafeCondition::kInContact, FailsafeAction::kContinue, some(9, 10.0)),
-               rule(FailsafeCondition::kStuck, FailsafeAction::kHold, some(10, 10.0))});
+  Tried robot({row(FailsafeCondition::kOutside, FailsafeAction::kReverseInside),
+               row(FailsafeCondition::kLinkLost, FailsafeAction::kReturn, some(8, 10.0)),
+               row(FailsafeCondition::kInContact, FailsafeAction::kContinue, some(9, 10.0)),
+               row(FailsafeCondition::kStuck, FailsafeAction::kHold, some(10, 10.0))});
   robot.kinematics.drive = static_cast<binding::Drive>(bits.size() % 4);
   robot.kinematics.axle = 0.4;
   robot.kinematics.max_acceleration = some(0, 4.0);
