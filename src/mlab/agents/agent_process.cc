@@ -326,7 +326,7 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   std::optional<robot::ExecutableOrigin> executable;
   if (!settings.offered.empty()) {
     auto program = robot::load_offered(settings.offered, settings.sources);
-    if (!program) return fmt::format("`{}` {}", settings.offered, program.error());
+    if (!program) return fmt::format("`{}` {}", text::shown(settings.offered), program.error());
     executable = std::move(program->executable);
   }
   auto roster = Roster::join(settings.network);

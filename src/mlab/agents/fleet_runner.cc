@@ -126,8 +126,8 @@ class Recruits {
     if (is_of(agent, version_))
       return fmt::format(
           "the agent on `{}` computes sines and the like otherwise than this machine does, in the last digit "
-          "(another C "
-          "library, or one of the processors has no FMA), so its robots would not do the same; --real-time "
+          "(another C library, or one of the processors has no FMA), so its robots would not do the same; "
+          "--real-time "
           "takes it",
           agent.name());
     return fmt::format("the agent on `{}` is missionlab {} (protocol {}), and this is {} (protocol {})",
