@@ -1,20 +1,29 @@
-// Robots in processes of their own behind agents of a fleet, over DDS on the loopback: agents are threads of
-// this process, robots processes of their own, as behind `mlab agent`.
+// Robots in processes of their own behind agents of a fleet, over DDS on the loopback: agents are processes
+// of their own, too, and serve as `mlab agent` does.
 //
 //     fleet_bench lock-step [ROBOTS] [AGENTS] [SECONDS]       robot-cycles per second, as a run has them
 //     fleet_bench real-time [ROBOTS] [AGENTS] [SECONDS] [HZ]  from percepts to the action that answers them
 //     fleet_bench stop [ROBOTS] [AGENTS] [PULLS] [LOST_OF_THOUSAND]  from the emergency stop to `stand`
 //     fleet_bench join [AGENTS]                               until all have found each other
+//     fleet_bench rest [AGENTS] [SECONDS]                     what a fleet takes that does nothing
 //
 // With --secure as the last word the fleet is a secured one, and all agents have the same identity.
 
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
@@ -74,7 +83,7 @@ class Keys {
     std::error_code failure;
     std::filesystem::remove_all(folder_, failure);
   }
-  dds::Security identity() const { return keys::security_in(folder_ / keys::kOwnIdentity); }
+  std::string identity() const { return folder_ / keys::kOwnIdentity; }
 
  private:
   std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("mlab-" + fleet_name());
@@ -107,37 +116,96 @@ percept::Percepts on_its_way(double time) {
   return out;
 }
 
-/// Agents on threads, and who talks to them.
+dds::Network network_of(const std::string& fleet, int lost_of_thousand, const std::string& identity) {
+  dds::Network out{.fleet = fleet, .interface_name = {}, .peers = {}, .lost_of_thousand = lost_of_thousand};
+  if (!identity.empty()) out.security = keys::security_in(identity);
+  return out;
+}
+
+double processor_time_of(pid_t process) {
+  std::ifstream about(fmt::format("/proc/{}/stat", process));
+  std::string word;
+  for (int i = 0; i < 13; ++i) about >> word;
+  double user = 0;
+  double system = 0;
+  about >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+/// What a process does that a fleet has started: an agent until nobody holds the other end of its input.
+/// @param words  agent NAME FLEET LOST_OF_THOUSAND [IDENTITY]
+int be_agent(const std::vector<std::string>& words) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  agents::AgentSettings settings;
+  settings.name = words.at(1);
+  settings.network =
+      network_of(words.at(2), std::atoi(words.at(3).c_str()), words.size() > 4 ? words[4] : "");
+  settings.sources = sources();
+  settings.log = std::make_shared<agents::AgentLog>(nullptr);
+  std::stop_source stop;
+  std::jthread ends([&] {
+    char nothing = 0;
+    while (::read(STDIN_FILENO, &nothing, 1) > 0) {
+    }
+    stop.request_stop();
+  });
+  const auto problem = agents::serve_as_agent(settings, stop.get_token());
+  if (problem) give_up(*problem);
+  return 0;
+}
+
+/// Agents in processes of their own, and who talks to them.
 class Fleet {
  public:
-  Fleet(std::size_t agents, int lost_of_thousand)
-      : network_{
-            .fleet = fleet_name(), .interface_name = {}, .peers = {}, .lost_of_thousand = lost_of_thousand} {
-    if (keys_in_use != nullptr) network_.security = keys_in_use->identity();
-    auto roster = agents::Roster::join(network_);
+  Fleet(std::size_t agents, int lost_of_thousand) {
+    const std::string identity = keys_in_use != nullptr ? keys_in_use->identity() : "";
+    const dds::Network network = network_of(fleet_name(), lost_of_thousand, identity);
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) give_up("no pipe");
+    for (std::size_t i = 0; i < agents; ++i)
+      start({"fleet_bench", "agent", fmt::format("a{}", i), network.fleet, std::to_string(lost_of_thousand),
+             identity});
+    auto roster = agents::Roster::join(network);
     if (!roster) give_up(roster.error());
     roster_ = std::move(*roster);
-    for (std::size_t i = 0; i < agents; ++i)
-      agents_.emplace_back([this, i](const std::stop_token& stop) {
-        agents::AgentSettings settings;
-        settings.network = network_;
-        settings.name = fmt::format("a{}", i);
-        settings.sources = sources();
-        settings.log = std::make_shared<agents::AgentLog>(nullptr);
-        if (const auto problem = agents::serve_as_agent(settings, stop)) give_up(*problem);
-      });
     const auto are_there = [&](const std::vector<agents::Member>& members) {
       return members.size() == agents;
     };
     if (!roster_->wait(are_there, Clock::now() + std::chrono::seconds(60)))
       give_up("not all agents have found each other");
   }
+  Fleet(const Fleet&) = delete;
+  Fleet& operator=(const Fleet&) = delete;
+  ~Fleet() {
+    for (const int end : ends_) ::close(end);
+    for (const pid_t agent : agents_) ::waitpid(agent, nullptr, 0);
+  }
   const std::shared_ptr<agents::Roster>& roster() const { return roster_; }
+  /// Of all agents and of this process, as far as it has been counted [s].
+  double processor_time() const {
+    double out = processor_time_of(::getpid());
+    for (const pid_t agent : agents_) out += processor_time_of(agent);
+    return out;
+  }
 
  private:
-  dds::Network network_;
+  void start(std::vector<std::string> words) {
+    if (words.back().empty()) words.pop_back();
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions{};
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, ends_[0], STDIN_FILENO);
+    pid_t agent = 0;
+    if (::posix_spawn(&agent, "/proc/self/exe", &actions, nullptr, arguments.data(), environ) != 0)
+      give_up("an agent can't be started");
+    ::posix_spawn_file_actions_destroy(&actions);
+    agents_.push_back(agent);
+  }
+
+  std::array<int, 2> ends_{};  // the agents' input, and its other end
   std::shared_ptr<agents::Roster> roster_;
-  std::vector<std::jthread> agents_;
+  std::vector<pid_t> agents_;
 };
 
 void print_times(const char* what, std::vector<double>& times) {
@@ -168,8 +236,10 @@ void lock_step(std::size_t robots, std::size_t agents, double duration) {
     if (const auto problem = runner->start(all[i].member)) give_up(*problem);
   }
   std::uint64_t cycles = 0;
-  const auto began = Clock::now();
-  while (seconds(Clock::now() - began) < duration) {
+  auto began = Clock::now();
+  while (cycles == 0 || seconds(Clock::now() - began) < duration) {
+    // Before the first one robots have no processes yet.
+    if (cycles == 1) began = Clock::now();
     for (const Robot& one : all) runner->join(one.member);
     runner->open();
     percept::Needs needs;
@@ -188,7 +258,7 @@ void lock_step(std::size_t robots, std::size_t agents, double duration) {
   }
   const double took = seconds(Clock::now() - began);
   fmt::print("lock-step: {} robots behind {} agents: {:.0f} robot-cycles per second\n", robots, agents,
-             static_cast<double>(cycles * robots) / took);
+             static_cast<double>((cycles - 1) * robots) / took);
 }
 
 /// Robots of one agent in real time, by the messages that pass.
@@ -390,7 +460,17 @@ void stop(std::size_t robots, std::size_t agents, int pulls, int lost_of_thousan
 void join(std::size_t agents) {
   const auto began = Clock::now();
   const Fleet fleet(agents, 0);
-  fmt::print("join: {} agents found within {:.2f} s of their start\n", agents, seconds(Clock::now() - began));
+  fmt::print("join: {} agents found within {:.2f} s of their start, {:.2f} s of processor time\n", agents,
+             seconds(Clock::now() - began), fleet.processor_time());
+}
+
+void rest(std::size_t agents, double duration) {
+  const Fleet fleet(agents, 0);
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  const double before = fleet.processor_time();
+  std::this_thread::sleep_for(std::chrono::duration<double>(duration));
+  fmt::print("rest: {} agents take {:.1f} % of a processor\n", agents,
+             100.0 * (fleet.processor_time() - before) / duration);
 }
 
 }  // namespace
@@ -398,6 +478,7 @@ void join(std::size_t agents) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() > 3 && words[0] == "agent") return mlab::be_agent(words);
   std::optional<mlab::Keys> keys;
   if (!words.empty() && words.back() == "--secure") {
     mlab::keys_in_use = &keys.emplace();
@@ -418,9 +499,12 @@ int main(int argc, char** argv) {
     mlab::stop(count(1, 50), count(2, 5), static_cast<int>(count(3, 100)), static_cast<int>(number(4, 0)));
   else if (what == "join")
     mlab::join(count(1, 50));
+  else if (what == "rest")
+    mlab::rest(count(1, 50), number(2, 10));
   else {
-    fmt::print(stderr,
-               "fleet_bench lock-step|real-time|stop|join [NUMBERS] [--secure]: see bench/fleet_bench.cc\n");
+    fmt::print(
+        stderr,
+        "fleet_bench lock-step|real-time|stop|join|rest [NUMBERS] [--secure]: see bench/fleet_bench.cc\n");
     return 2;
   }
   return 0;

@@ -20,6 +20,7 @@
 #include "mlab/agents/echo.h"
 #include "mlab/agents/missed.h"
 #include "mlab/agents/roster.h"
+#include "mlab/agents/signs_of_life.h"
 #include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
 #include "mlab/robot/remote/agent.h"
@@ -30,7 +31,8 @@
 namespace mlab::agents {
 namespace {
 
-constexpr std::chrono::milliseconds kBeat(500);         // between two words that it is there
+constexpr std::chrono::milliseconds kBeat(500);         // between two looks at the others
+constexpr std::chrono::milliseconds kPresence(2000);    // between two words that it is there
 constexpr std::chrono::milliseconds kNameGlance(1500);  // in which somebody of the same name is found
 constexpr std::size_t kMostConversations = 64;
 
@@ -57,7 +59,7 @@ class AgentProcess {
  public:
   AgentProcess(const AgentSettings& settings, std::optional<robot::ExecutableOrigin> executable,
                std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Reader requests, dds::Reader stops,
-               EchoAnswerer echoes, dds::Writer presence)
+               EchoAnswerer echoes, dds::Writer presence, std::unique_ptr<SignsOfLife> life)
       : settings_(settings),
         executable_(std::move(executable)),
         roster_(std::move(roster)),
@@ -66,11 +68,13 @@ class AgentProcess {
         stops_(std::move(stops)),
         echoes_(std::move(echoes)),
         presence_(std::move(presence)),
+        life_(std::move(life)),
         missed_(roster_->participant(), "agent " + settings.name) {}
 
   /// @errors  a sentence: it can't stay
   std::optional<std::string> serve(const std::stop_token& stop) {
     const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
+    life_->begin();
     Clock::time_point next_beat = Clock::now();
     if (const auto why = stop_file_.why_not_kept())
       settings_.log->add(fmt::format("warning: an emergency stop will not outlive this agent: {}", *why));
@@ -80,7 +84,7 @@ class AgentProcess {
     std::optional<std::string> problem;
     while (!stop.stop_requested() && !problem) {
       if (Clock::now() >= next_beat) {
-        say_presence();
+        if (Clock::now() >= next_presence_ || has_other_robots()) say_presence();
         problem = give_way();
         hear_of_stop_from_others();
         tell_whom_it_misses();
@@ -96,6 +100,7 @@ class AgentProcess {
       give_up_the_lost();
       forget_the_ended();
     }
+    life_.reset();
     static_cast<void>(presence_.end(settings_.name));
     for (auto& [key, conversation] : conversations_) conversation->end();
     conversations_.clear();
@@ -131,10 +136,14 @@ class AgentProcess {
     auto answers = roster_->participant().writer(answers_topic(settings_.name, key.second),
                                                  dds::ChannelKind::kLockStepPercepts);
     if (!answers) return nullptr;
+    auto waiter = dds::Waiter::make();
+    if (!waiter) return nullptr;
+    dds::Reader::Branch branch = requests_.branch(key.first, key.second, *waiter);
     const auto writer = std::make_shared<dds::Writer>(std::move(*answers));
     return std::make_unique<Conversation>(
         robot_remote::AgentTerms{settings_.sources, settings_.offered, [this] { return is_stopped_.load(); },
                                  [this] { return settings_.log->lines(); }},
+        std::move(*waiter), std::move(branch),
         [writer, key, is_met = false](std::string_view message,
                                       const std::function<bool()>& is_awaited) mutable {
           if (!is_met) is_met = meet(*writer, key.first, is_awaited);
@@ -265,6 +274,21 @@ class AgentProcess {
     }
   }
 
+  struct Load {
+    std::uint32_t robots = 0;
+    std::uint32_t runs = 0;
+    friend bool operator==(const Load&, const Load&) = default;
+  };
+  Load load() const {
+    Load out;
+    for (const auto& [key, conversation] : conversations_) {
+      out.robots += static_cast<std::uint32_t>(conversation->robot_count());
+      if (conversation->has_opened()) ++out.runs;
+    }
+    return out;
+  }
+  bool has_other_robots() const { return load() != said_load_; }
+
   void say_presence() {
     wire::AgentPresence said;
     encode(stop_, *said.mutable_stop());
@@ -276,16 +300,14 @@ class AgentProcess {
     said.set_host(machine_name());
     said.set_process(static_cast<std::uint32_t>(::getpid()));
     said.set_processors(std::max(1U, std::thread::hardware_concurrency()));
-    double load = 0.0;
-    if (::getloadavg(&load, 1) == 1) said.set_load(load);
+    double average = 0.0;
+    if (::getloadavg(&average, 1) == 1) said.set_load(average);
     said.set_free_memory(available_memory());
     said.set_uptime(std::chrono::duration<double>(Clock::now() - began_).count());
-    std::size_t robots = 0;
-    for (const auto& [key, conversation] : conversations_) robots += conversation->robot_count();
-    said.set_robots(static_cast<std::uint32_t>(robots));
-    const auto runs =
-        std::ranges::count_if(conversations_, [](const auto& one) { return one.second->has_opened(); });
-    said.set_runs(static_cast<std::uint32_t>(runs));
+    said_load_ = load();
+    said.set_robots(said_load_.robots);
+    said.set_runs(said_load_.runs);
+    next_presence_ = Clock::now() + kPresence;
     if (executable_) {
       said.mutable_offered()->set_name(executable_->name);
       said.mutable_offered()->set_source(executable_->source);
@@ -302,11 +324,14 @@ class AgentProcess {
   dds::Reader stops_;
   EchoAnswerer echoes_;
   dds::Writer presence_;
+  std::unique_ptr<SignsOfLife> life_;
   MissedTeller missed_;
   StopFile stop_file_{settings_.stop_file};
   StopState stop_ = stop_file_.read();
   std::atomic<bool> is_stopped_ = stop_.is_engaged;
   Clock::time_point began_ = Clock::now();
+  Clock::time_point next_presence_;
+  Load said_load_;
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
   std::set<Key> greeted_;  // whose beginning was told
   std::set<Key> parted_;   // and whose end
@@ -329,15 +354,9 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
     if (!program) return fmt::format("`{}` {}", text::shown(settings.offered), program.error());
     executable = std::move(program->executable);
   }
-  auto roster = Roster::join(settings.network);
+  auto roster = Roster::join(settings.network, Watch::kLoosely);
   if (!roster) return roster.error();
-  const auto is_taken = [&](const std::vector<Member>& members) {
-    return std::ranges::any_of(members, [&](const Member& one) {
-      return one.said.name() == settings.name && one.state != Member::State::kGone;
-    });
-  };
-  if ((*roster)->wait(is_taken, Clock::now() + kNameGlance))
-    return name_is_taken(settings, (*roster)->find(settings.name)->said.host());
+  // All before others have found this one: they learn of it at once, and in one go.
   auto waiter = dds::Waiter::make();
   if (!waiter) return waiter.error();
   dds::Participant& participant = (*roster)->participant();
@@ -350,8 +369,18 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!echoes) return echoes.error();
   auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
   if (!presence) return presence.error();
+  auto life = SignsOfLife::open(participant, settings.name);
+  if (!life) return life.error();
+  const auto is_taken = [&](const std::vector<Member>& members) {
+    return std::ranges::any_of(members, [&](const Member& one) {
+      return one.said.name() == settings.name && one.state != Member::State::kGone;
+    });
+  };
+  if ((*roster)->wait(is_taken, Clock::now() + kNameGlance))
+    return name_is_taken(settings, (*roster)->find(settings.name)->said.host());
   AgentProcess process(settings, std::move(executable), std::move(*roster), std::move(*waiter),
-                       std::move(*requests), std::move(*stops), std::move(*echoes), std::move(*presence));
+                       std::move(*requests), std::move(*stops), std::move(*echoes), std::move(*presence),
+                       std::move(*life));
   if (settings.tell_ready) settings.tell_ready();
   return process.serve(stop);
 }

@@ -1,5 +1,6 @@
 #include "mlab/agents/conversation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -11,8 +12,13 @@ constexpr std::chrono::seconds kOpeningPatience(10);  // for a run to say who it
 
 }  // namespace
 
-Conversation::Conversation(robot_remote::AgentTerms terms, Answer answer, GoLive go_live)
-    : answer_(std::move(answer)), go_live_(std::move(go_live)), is_stopped_(terms.is_stopped) {
+Conversation::Conversation(robot_remote::AgentTerms terms, dds::Waiter waiter, dds::Reader::Branch requests,
+                           Answer answer, GoLive go_live)
+    : waiter_(std::move(waiter)),
+      requests_(std::move(requests)),
+      answer_(std::move(answer)),
+      go_live_(std::move(go_live)),
+      is_stopped_(terms.is_stopped) {
   terms.sources.ends = stop_.get_token();
   thread_ = std::thread([this, terms = std::move(terms)] { serve(terms); });
 }
@@ -23,14 +29,19 @@ Conversation::~Conversation() {
 }
 
 bool Conversation::add(std::string_view part) {
+  const std::scoped_lock lock(mutex_);
+  if (!take_part(part)) return false;
+  waiter_.wake();
+  if (live_) live_->wake();
+  return true;
+}
+
+bool Conversation::take_part(std::string_view part) {
   const Assembly::Outcome outcome = assembly_.add(part);
   if (outcome == Assembly::Outcome::kNonsense) return false;
   if (outcome == Assembly::Outcome::kMoreFollows) return true;
-  const std::scoped_lock lock(mutex_);
   if (waiting_.size() >= kMostWaiting) return false;
   waiting_.push_back(assembly_.message());
-  changed_.notify_one();
-  if (live_) live_->wake();
   return true;
 }
 
@@ -38,7 +49,7 @@ void Conversation::end() {
   const std::scoped_lock lock(mutex_);
   is_to_end_ = true;
   stop_.request_stop();
-  changed_.notify_one();
+  waiter_.wake();
   if (live_) live_->wake();
 }
 
@@ -47,18 +58,37 @@ void Conversation::look_at_stop() {
   if (live_) live_->wake();
 }
 
+// False: what has arrived is nonsense, or not all of it.
+bool Conversation::hear_requests() {
+  const auto arrivals = requests_ ? requests_->take() : std::vector<dds::Arrival>();
+  const std::scoped_lock lock(mutex_);
+  return std::ranges::all_of(arrivals, [this](const dds::Arrival& arrival) {
+    return arrival.kind == dds::Arrival::Kind::kMessage && take_part(arrival.body);
+  });
+}
+
 // Waits for what the run asks. Nothing: it is to end.
 std::optional<std::string> Conversation::next_request(robot_remote::RunnerServer& server) {
-  std::unique_lock lock(mutex_);
-  const auto has_news = [this] { return is_to_end_ || !waiting_.empty(); };
-  if (server.is_open())
-    changed_.wait(lock, has_news);
-  else
-    changed_.wait_for(lock, kOpeningPatience, has_news);
-  if (is_to_end_ || waiting_.empty()) return std::nullopt;
-  std::string out = std::move(waiting_.front());
-  waiting_.pop_front();
-  return out;
+  const auto last = robot_remote::Clock::now() + kOpeningPatience;
+  for (;;) {
+    if (!hear_requests()) return std::nullopt;
+    {
+      const std::scoped_lock lock(mutex_);
+      if (is_to_end_) return std::nullopt;
+      if (!waiting_.empty()) {
+        std::string out = std::move(waiting_.front());
+        waiting_.pop_front();
+        return out;
+      }
+    }
+    if (server.is_open()) {
+      waiter_.wait(std::chrono::milliseconds(-1));
+      continue;
+    }
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(last - robot_remote::Clock::now());
+    if (left.count() <= 0) return std::nullopt;
+    waiter_.wait(left);
+  }
 }
 
 // The same in real time: robots act meanwhile.
@@ -100,6 +130,8 @@ void Conversation::serve(const robot_remote::AgentTerms& terms) {
     if (server.period() > 0.0 && !is_live_) {
       auto live = go_live_();
       if (!live) break;
+      // It waits with the line from now on, and is woken by who hears all.
+      requests_.reset();
       const std::scoped_lock lock(mutex_);
       live_ = std::move(live);
       is_live_ = true;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -13,6 +12,8 @@
 #include <thread>
 
 #include "mlab/agents/topics.h"
+#include "mlab/dds/reader.h"
+#include "mlab/dds/waiter.h"
 #include "mlab/robot/remote/live_line.h"
 #include "mlab/robot/remote/runner_server.h"
 
@@ -29,14 +30,17 @@ class Conversation {
   /// opened.
   using GoLive = std::function<std::shared_ptr<robot_remote::LiveLine>()>;
 
-  /// @param terms  what they refer to outlives this
-  Conversation(robot_remote::AgentTerms terms, Answer answer, GoLive go_live);
+  /// @param terms   what they refer to outlives this
+  /// @param waiter  is signalled by `requests`
+  /// @param requests  what its run says from its second message on; until it goes live
+  Conversation(robot_remote::AgentTerms terms, dds::Waiter waiter, dds::Reader::Branch requests,
+               Answer answer, GoLive go_live);
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
   ~Conversation();
 
-  /// Takes a part of a message that has arrived. False: it is none, or one too many (each is answered before
-  /// the next is sent), and the conversation is over.
+  /// Takes a part of a message that has arrived otherwise. False: it is none, or one too many (each is
+  /// answered before the next is sent), and the conversation is over.
   bool add(std::string_view part);
   /// It ends as soon as it can; nobody waits for its robots.
   void end();
@@ -58,13 +62,17 @@ class Conversation {
   std::optional<std::string> next_request(robot_remote::RunnerServer& server);
   std::optional<std::string> next_live(robot_remote::RunnerServer& server);
 
+  bool take_part(std::string_view part);  // under the mutex
+  bool hear_requests();
+
+  dds::Waiter waiter_;
+  std::optional<dds::Reader::Branch> requests_;  // of the conversation's thread; nothing: it is live
   Answer answer_;
   GoLive go_live_;
   std::function<bool()> is_stopped_;
   std::shared_ptr<robot_remote::LiveLine> live_;  // null: in lock-step
   Assembly assembly_;
   std::mutex mutex_;
-  std::condition_variable changed_;
   std::deque<std::string> waiting_;
   std::atomic<bool> is_to_end_ = false;
   std::stop_source stop_;  // of what is built or started for it

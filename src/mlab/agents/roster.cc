@@ -12,6 +12,8 @@ namespace mlab::agents {
 namespace {
 
 constexpr std::size_t kMostMembers = 1000;  // names that anybody may make up
+// Presence is said every two seconds, and may have to be sent again.
+constexpr std::chrono::milliseconds kSilentAfter(3500);
 
 // What an agent says of itself, fit for people; nothing where it is none.
 std::optional<wire::AgentPresence> checked(const dds::Arrival& arrival) {
@@ -37,22 +39,30 @@ bool is_agent_name(std::string_view name) {
   return !name.empty() && name.size() <= dds::kMaxKey && std::ranges::all_of(name, is_fit);
 }
 
-std::expected<std::shared_ptr<Roster>, std::string> Roster::join(const dds::Network& network) {
+std::expected<std::shared_ptr<Roster>, std::string> Roster::join(const dds::Network& network, Watch watch) {
   auto participant = dds::Participant::open(network);
   if (!participant) return std::unexpected(participant.error());
   auto waiter = dds::Waiter::make();
   if (!waiter) return std::unexpected(waiter.error());
   auto reader = participant->reader(kPresenceTopic, dds::ChannelKind::kPresence, *waiter);
   if (!reader) return std::unexpected(reader.error());
-  return std::shared_ptr<Roster>(
-      new Roster(network.fleet, std::move(*participant), std::move(*waiter), std::move(*reader)));
+  std::optional<dds::Reader> life;
+  if (watch == Watch::kClosely) {
+    auto signs = participant->reader(kLifeTopic, dds::ChannelKind::kSignsOfLife, *waiter);
+    if (!signs) return std::unexpected(signs.error());
+    life = std::move(*signs);
+  }
+  return std::shared_ptr<Roster>(new Roster(network.fleet, std::move(*participant), std::move(*waiter),
+                                            std::move(*reader), std::move(life)));
 }
 
-Roster::Roster(std::string fleet, dds::Participant participant, dds::Waiter waiter, dds::Reader reader)
+Roster::Roster(std::string fleet, dds::Participant participant, dds::Waiter waiter, dds::Reader reader,
+               std::optional<dds::Reader> life)
     : fleet_(std::move(fleet)),
       participant_(std::move(participant)),
       waiter_(std::move(waiter)),
       reader_(std::move(reader)),
+      life_(std::move(life)),
       thread_([this](const std::stop_token& stop) { listen(stop); }) {}
 
 Roster::~Roster() {
@@ -64,11 +74,13 @@ void Roster::listen(const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kGlance(250);  // between two looks at who is silent
   while (!stop.stop_requested()) {
     waiter_.wait(kGlance);
+    const std::vector<dds::Arrival> signs = life_ ? life_->take() : std::vector<dds::Arrival>();
     const std::vector<dds::Arrival> arrivals = reader_.take();
     const std::scoped_lock lock(mutex_);
     for (const dds::Arrival& arrival : arrivals) take(arrival);
+    for (const dds::Arrival& sign : signs) take_sign_of_life(sign);
     give_up_the_silent();
-    changed_.notify_all();
+    if (std::exchange(has_news_, false) || !arrivals.empty()) changed_.notify_all();
   }
 }
 
@@ -81,6 +93,7 @@ void Roster::set(Member& member, Member::State state) {
   if (member.state == state) return;
   member.state = state;
   member.since = Clock::now();
+  has_news_ = true;
 }
 
 void Roster::take(const dds::Arrival& arrival) {
@@ -104,17 +117,25 @@ void Roster::take(const dds::Arrival& arrival) {
     return;
   }
   Member* const member = of(arrival.sender);
-  if (member == nullptr) return;
-  if (arrival.kind == Kind::kSilent && member->state == Member::State::kThere)
-    set(*member, Member::State::kSilent);
-  else if (arrival.kind == Kind::kEnded || arrival.kind == Kind::kUnmatched) {
-    member->has_left |= arrival.kind == Kind::kEnded;
-    set(*member, Member::State::kGone);
-  }
+  if (member == nullptr || (arrival.kind != Kind::kEnded && arrival.kind != Kind::kUnmatched)) return;
+  member->has_left |= arrival.kind == Kind::kEnded;
+  set(*member, Member::State::kGone);
+}
+
+void Roster::take_sign_of_life(const dds::Arrival& arrival) {
+  using Kind = dds::Arrival::Kind;
+  Member* const member = of(arrival.sender);
+  if (member == nullptr || member->state == Member::State::kGone) return;
+  if (arrival.kind == Kind::kSilent) set(*member, Member::State::kSilent);
+  if (arrival.kind != Kind::kMessage) return;
+  member->heard = arrival.noticed;
+  set(*member, Member::State::kThere);
 }
 
 void Roster::give_up_the_silent() {
   for (auto& [name, member] : members_) {
+    if (member.state == Member::State::kThere && Clock::now() - member.heard >= kSilentAfter)
+      set(member, Member::State::kSilent);
     if (member.state == Member::State::kSilent && Clock::now() - member.since >= kSilencePatience)
       set(member, Member::State::kGone);
   }

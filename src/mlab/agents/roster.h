@@ -43,6 +43,13 @@ struct Member {
   std::optional<Rival> rival;
 };
 
+/// How soon who goes is known to be silent.
+enum class Watch : std::uint8_t {
+  kClosely,  ///< within a second: for who has robots at agents, or people who look
+  kLoosely,  ///< within four: agents watch each other so, since as many signs of life as there are pairs of
+             ///< agents would take more of their machines than robots do
+};
+
 /// How long a silent agent is waited for.
 inline constexpr std::chrono::seconds kSilencePatience(5);
 
@@ -53,7 +60,8 @@ bool is_agent_name(std::string_view name);
 class Roster {
  public:
   /// @errors  a sentence: the network can't be used
-  static std::expected<std::shared_ptr<Roster>, std::string> join(const dds::Network& network);
+  static std::expected<std::shared_ptr<Roster>, std::string> join(const dds::Network& network,
+                                                                  Watch watch = Watch::kClosely);
   Roster(const Roster&) = delete;
   Roster& operator=(const Roster&) = delete;
   ~Roster();
@@ -82,9 +90,11 @@ class Roster {
   bool wait(const std::function<bool(const std::vector<Member>&)>& holds, Clock::time_point deadline) const;
 
  private:
-  Roster(std::string fleet, dds::Participant participant, dds::Waiter waiter, dds::Reader reader);
+  Roster(std::string fleet, dds::Participant participant, dds::Waiter waiter, dds::Reader reader,
+         std::optional<dds::Reader> life);
   void listen(const std::stop_token& stop);
   void take(const dds::Arrival& arrival);
+  void take_sign_of_life(const dds::Arrival& arrival);
   void give_up_the_silent();
   Member* of(const dds::Guid& guid);
   void set(Member& member, Member::State state);
@@ -93,9 +103,11 @@ class Roster {
   dds::Participant participant_;
   dds::Waiter waiter_;
   dds::Reader reader_;
+  std::optional<dds::Reader> life_;  // of who watches closely
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::map<std::string, Member, std::less<>> members_;
+  bool has_news_ = false;  // that those who wait are to look at
   std::jthread thread_;
 };
 

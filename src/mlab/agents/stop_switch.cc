@@ -137,7 +137,7 @@ bool StopSwitch::listen() {
 }
 
 void StopSwitch::serve(const std::stop_token& stop) {
-  Clock::time_point next_repeat;
+  Clock::time_point said;
   Clock::time_point next_telling;
   std::vector<std::string> missing_before;
   while (!stop.stop_requested()) {
@@ -153,12 +153,19 @@ void StopSwitch::serve(const std::stop_token& stop) {
       if (changed_) changed_();
     }
     const bool is_urgent = is_fresh();
-    if (is_urgent || (!missing.empty() && Clock::now() >= next_repeat)) {
+    const std::chrono::milliseconds every = is_urgent ? kUrgent : kRepeat;
+    // What it hears, its own words among it, does not make it speak more often.
+    if (!is_urgent && missing.empty()) {
+      said = {};
+    } else if (Clock::now() - said >= every) {
       say();
-      next_repeat = Clock::now() + kRepeat;
+      said = Clock::now();
     }
     missing_before = std::move(missing);
-    waiter_.wait(is_urgent ? kUrgent : kRepeat);
+    const Clock::time_point next = std::max(said, Clock::now() - every) + every;
+    waiter_.wait(said == Clock::time_point()
+                     ? every
+                     : std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now()));
   }
 }
 

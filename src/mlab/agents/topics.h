@@ -12,7 +12,8 @@
 
 namespace mlab::agents {
 
-inline constexpr std::string_view kPresenceTopic = "agents";  ///< proto/mlab/presence.proto, by agent
+inline constexpr std::string_view kPresenceTopic = "agents";   ///< proto/mlab/presence.proto, by agent
+inline constexpr std::string_view kLifeTopic = "agents/life";  ///< nothing in it, by agent
 
 inline constexpr std::string_view kStopTopic = "stop";  ///< EmergencyStop of that file, by kStopKey
 inline constexpr std::string_view kStopKey = "fleet";

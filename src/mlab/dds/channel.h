@@ -18,6 +18,7 @@ enum class ChannelKind : std::uint8_t {
   kStatus,
   kEvents,
   kPresence,
+  kSignsOfLife,
   kEmergencyStop,
 };
 
@@ -27,6 +28,9 @@ struct ChannelInfo {
   std::string_view name;  ///< goes over the wire: a reader takes nothing that is written as another kind
   /// Whether what is lost on the way is sent again, and arrives in the order in which it was written.
   bool is_reliable;
+  /// Whether what is lost is noticed within milliseconds, because somebody may be waiting for it; else with
+  /// what is written next, or some tenths of a second later. Of reliable ones only.
+  bool is_asked_after;
   /// Whether of each key only the newest is kept, on both sides, where nobody has taken it yet.
   bool is_newest_only;
   /// Whether who comes late is told the newest of each key.
@@ -44,6 +48,7 @@ inline constexpr std::array kChannels = {
         .kind = ChannelKind::kCommands,
         .name = "commands",
         .is_reliable = true,
+        .is_asked_after = true,
         .is_newest_only = false,
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
@@ -56,6 +61,7 @@ inline constexpr std::array kChannels = {
         .kind = ChannelKind::kLockStepPercepts,
         .name = "lock-step percepts",
         .is_reliable = true,
+        .is_asked_after = true,
         .is_newest_only = false,
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
@@ -65,6 +71,7 @@ inline constexpr std::array kChannels = {
         .kind = ChannelKind::kLivePercepts,
         .name = "live percepts",
         .is_reliable = false,
+        .is_asked_after = false,
         .is_newest_only = true,
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
@@ -76,6 +83,7 @@ inline constexpr std::array kChannels = {
         .kind = ChannelKind::kActions,
         .name = "actions",
         .is_reliable = true,
+        .is_asked_after = true,
         .is_newest_only = true,
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
@@ -86,6 +94,7 @@ inline constexpr std::array kChannels = {
         .kind = ChannelKind::kStatus,
         .name = "status",
         .is_reliable = true,
+        .is_asked_after = false,
         .is_newest_only = true,
         .is_for_latecomers = true,
         .lease = std::chrono::milliseconds{0},
@@ -96,6 +105,7 @@ inline constexpr std::array kChannels = {
         .kind = ChannelKind::kEvents,
         .name = "events",
         .is_reliable = true,
+        .is_asked_after = true,
         .is_newest_only = false,
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},
@@ -106,18 +116,32 @@ inline constexpr std::array kChannels = {
         .kind = ChannelKind::kPresence,
         .name = "presence",
         .is_reliable = true,
+        .is_asked_after = false,
         .is_newest_only = true,
         .is_for_latecomers = true,
-        .lease = std::chrono::milliseconds{600},
+        .lease = std::chrono::milliseconds{0},
         .longest_wait = std::chrono::milliseconds{20},
-        .reason = "who is there, with its versions, has to be known to who comes late; who is gone, within a "
-                  "second. Cyclone keeps it alive by itself, also where the writer's own threads are busy; "
-                  "but who was "
-                  "silent counts as back only when he writes again, so it is written once a second or more"},
+        .reason =
+            "who is there, with its versions, has to be known to who comes late. All tell it all, so it is "
+            "said seldom"},
+    ChannelInfo{
+        .kind = ChannelKind::kSignsOfLife,
+        .name = "signs of life",
+        .is_reliable = false,
+        .is_asked_after = false,
+        .is_newest_only = true,
+        .is_for_latecomers = false,
+        .lease = std::chrono::milliseconds{600},
+        .longest_wait = std::chrono::milliseconds{0},
+        .reason =
+            "who is gone has to be known within a second. It is written many times in that, so one that "
+            "is lost does not matter; only those read it who have to know so soon, since all who hear "
+            "it from all would take more of the machines than their work"},
     ChannelInfo{
         .kind = ChannelKind::kEmergencyStop,
         .name = "emergency stop",
         .is_reliable = false,
+        .is_asked_after = false,
         .is_newest_only = true,
         .is_for_latecomers = false,
         .lease = std::chrono::milliseconds{0},

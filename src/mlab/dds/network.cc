@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "mlab/base/hash.h"
+#include "mlab/dds/loopback_multicast.h"
 #include "mlab/dds/message.h"
 #include "mlab/text/shown.h"
 
@@ -30,14 +31,16 @@ using std::chrono::milliseconds;
 constexpr milliseconds kGivenUpAfter{5000};
 /// How often a participant says that it is there to those that have not heard of it.
 constexpr milliseconds kSaysItIsThereEvery{2000};
-/// How soon what was lost is noticed and asked for. Cyclone's own figures (100 ms, 10 ms, 3 s, 100 ms up to 8
-/// s) spare a busy network; here one lost packet of a cycle would stop all robots for as long. Where every
-/// fifth packet is lost, these carry thirty times as many cycles.
+/// How soon what was lost is sent again once that is known, and how often it is asked for. Cyclone's own
+/// figures (100 ms, 10 ms, 3 s) spare a busy network; here somebody waits.
 constexpr milliseconds kAsksAgainAfter{2};
 constexpr milliseconds kConfirmsAfter{2};
 constexpr milliseconds kAsksAgainEvery{50};
-constexpr milliseconds kTellsWhatIsThereEvery{2};
-constexpr milliseconds kTellsWhatIsThereAtLeastEvery{20};
+/// How soon writers ask all readers what they have, those of discovery among them. Who joins has some ten of
+/// each other participant and all ask each: at 2 ms fifty of them were asked more than two processors can
+/// answer, and what came late was asked for again. Where somebody waits, Prompter makes up for it.
+constexpr milliseconds kTellsWhatIsThereEvery{200};
+constexpr milliseconds kTellsWhatIsThereAtLeastEvery{400};
 
 bool is_fleet_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
@@ -108,6 +111,20 @@ std::expected<Interface, std::string> interface_called(const std::string& name) 
       "this machine has no network interface `{}` with an IPv4 address: there is {}", shown, names_of(all)));
 }
 
+/// What is sent to all at once.
+struct Multicast {
+  bool is_used = false;
+  bool carries_all = false;
+  const char* allowed = "false";  ///< as Cyclone calls it
+};
+
+/// On a network others are found by it, and data goes to each by itself, since radio sends multicast slowly
+/// and once. On the loopback it spares a packet for each participant of the machine.
+Multicast multicast_on(const Interface& own) {
+  if (own.is_loopback) return carries_loopback_multicast() ? Multicast{true, true, "true"} : Multicast{};
+  return own.has_multicast ? Multicast{true, false, "spdp"} : Multicast{};
+}
+
 std::string repetition() {
   return fmt::format(
       "<NackDelay>{0} ms</NackDelay><AckDelay>{1} ms</AckDelay><AutoReschedNackDelay>{2} "
@@ -130,11 +147,14 @@ std::expected<void, std::string> check_fleet(const std::string& fleet) {
 }
 
 /// The addresses at which others are looked for, as they stand in the configuration.
-std::expected<std::string, std::string> peers_of(const Network& network, const Interface& own) {
+/// @param finds_each_other  participants of this machine do so without
+std::expected<std::string, std::string> peers_of(const Network& network, const Interface& own,
+                                                 bool finds_each_other) {
   if (network.peers.size() > kMaxPeers)
     return std::unexpected(
         fmt::format("{} machines are to be looked at: {} at most", network.peers.size(), kMaxPeers));
-  std::string peers = fmt::format("<Peer address=\"{}\"/>", text_of(own.address));
+  std::string peers;
+  if (!finds_each_other) peers = fmt::format("<Peer address=\"{}\"/>", text_of(own.address));
   for (const std::string& peer : network.peers) {
     const auto address = address_in(peer);
     if (!address)
@@ -172,14 +192,12 @@ std::expected<std::string, std::string> configuration_of(const Network& network)
         fmt::format("{} of a thousand packets can't be dropped: 0 to 999", network.lost_of_thousand));
   const auto own = interface_called(network.interface_name);
   if (!own) return std::unexpected(own.error());
-  const auto peers = peers_of(network, *own);
+  const Multicast multicast = multicast_on(*own);
+  const auto peers = peers_of(network, *own, multicast.carries_all);
   if (!peers) return std::unexpected(peers.error());
-  const bool multicast = !own->is_loopback && own->has_multicast;
   return fmt::format(
       "<CycloneDDS><Domain Id=\"any\">"
       "<General><Interfaces><NetworkInterface address=\"{}\" multicast=\"{}\"/></Interfaces>"
-      // Others are found by multicast; data goes to each by itself, since radio sends multicast slowly and
-      // once.
       "<AllowMulticast>{}</AllowMulticast></General>"
       "<Discovery><ExternalDomainId>{}</ExternalDomainId><Tag>{}</Tag>"
       "<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex>"
@@ -190,7 +208,7 @@ std::expected<std::string, std::string> configuration_of(const Network& network)
       "<SharedMemory><Enable>false</Enable></SharedMemory>"
       "<Tracing><Verbosity>none</Verbosity></Tracing>"
       "</Domain></CycloneDDS>",
-      text_of(own->address), multicast, multicast ? "spdp" : "false", domain_of(network.fleet), network.fleet,
+      text_of(own->address), multicast.is_used, multicast.allowed, domain_of(network.fleet), network.fleet,
       kMaxParticipants - 1, *peers, kGivenUpAfter.count(), kSaysItIsThereEvery.count(),
       kMaxBody + kEnvelopeBytes, repetition(), network.lost_of_thousand);
 }

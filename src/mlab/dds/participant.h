@@ -17,14 +17,15 @@ namespace mlab::dds {
 
 class ParticipantCore;
 
-/// Takes part in a fleet. Each one has sockets, threads (six) and memory (some megabytes) of its own, also
-/// beside others of the same process, and hears those over the network as if they were elsewhere; so an agent
-/// has one for all of its robots. Not to be carried over a fork.
+/// Takes part in a fleet. Each one has sockets, threads (six or seven) and memory (some megabytes) of its
+/// own, also beside others of the same process, and hears those over the network as if they were elsewhere;
+/// so an agent has one for all of its robots. Not to be carried over a fork.
 ///
 /// Threads: what is called here, and of readers and writers, runs on the calling thread; writers send on it.
 /// Cyclone's own (`recv`, `recvUC`, `tev`, `dq.builtins`, `dq.user`, `gc`) receive, send again what was lost,
 /// say that this participant is alive, and notice who comes, goes or is silent. They put what arrives into
-/// readers' queues and signal waiters, and run no code of callers.
+/// readers' queues and signal waiters, and run no code of callers. One more is there once a channel that is
+/// asked after is written (Prompter).
 ///
 /// It lives until it, its writers and its readers have been destroyed, and then leaves nothing behind: no
 /// thread, no file, no shared memory (that of iceoryx, which Cyclone could use, is off).

@@ -103,6 +103,11 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
   return core;
 }
 
+Prompter& ParticipantCore::prompter() {
+  std::call_once(prompts_, [this] { prompter_.emplace(); });
+  return *prompter_;
+}
+
 std::expected<Entity, std::string> ParticipantCore::topic(std::string_view name) const {
   if (name.empty()) return std::unexpected("the topic has no name");
   if (name.size() > kMaxTopicName)
@@ -131,7 +136,8 @@ Qos qos_of(const ChannelInfo& channel) {
   else
     dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
   if (channel.lease.count() > 0)
-    dds_qset_liveliness(qos.get(), DDS_LIVELINESS_AUTOMATIC, std::chrono::nanoseconds(channel.lease).count());
+    dds_qset_liveliness(qos.get(), DDS_LIVELINESS_MANUAL_BY_TOPIC,
+                        std::chrono::nanoseconds(channel.lease).count());
   // A writer that goes ends its keys only if it says so: who is killed must not look like who has finished.
   dds_qset_writer_data_lifecycle(qos.get(), false);
   dds_qset_userdata(qos.get(), channel.name.data(), channel.name.size());

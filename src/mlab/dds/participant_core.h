@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <expected>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +15,7 @@
 #include "mlab/dds/domain_number.h"
 #include "mlab/dds/message.h"
 #include "mlab/dds/network.h"
+#include "mlab/dds/prompter.h"
 
 namespace mlab::dds {
 
@@ -56,6 +59,9 @@ class ParticipantCore {
   /// @errors  a sentence
   std::expected<Entity, std::string> topic(std::string_view name) const;
 
+  /// Made when it is asked for first.
+  Prompter& prompter();
+
   DomainNumber number;
   /// First to come, last to go: what Cyclone says while all else ends is heard.
   Complaints complaints;
@@ -64,7 +70,14 @@ class ParticipantCore {
   Entity publisher;
   Entity subscriber;
   Guid guid;
+
+ private:
+  std::once_flag prompts_;
+  std::optional<Prompter> prompter_;
 };
+
+/// Key of what only prompts readers to see what they miss; they are told nothing of it.
+inline constexpr std::string_view kPromptKey = "\x01prompt";
 
 /// The QoS of a reader or writer, in which the kind stands for the other side to see.
 Qos qos_of(const ChannelInfo& channel);

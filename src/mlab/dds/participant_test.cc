@@ -304,7 +304,9 @@ std::vector<std::string> devices_heard() {
 TEST(DdsParticipant, HearsNobodyFromOtherMachinesUnlessAnInterfaceIsNamed) {
   const Participant one = participant();
   const Participant other = participant();
-  EXPECT_EQ(devices_heard(), std::vector<std::string>(4, "lo"));
+  const std::vector<std::string> devices = devices_heard();
+  EXPECT_GE(devices.size(), 4U) << "those of multicast are there where the loopback carries it";
+  EXPECT_EQ(devices, std::vector<std::string>(devices.size(), "lo"));
 }
 
 TEST(DdsParticipant, SaysNothingOnTheTerminal) {

@@ -19,51 +19,50 @@ using Kind = Arrival::Kind;
 TEST(DdsPresence, OfAProcessThatIsKilledIsLostWithinASecond) {
   Participant here = participant();
   Waiter waits = waiter();
-  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  Reader life = reader(here, "life", ChannelKind::kSignsOfLife, waits);
   Peer peer({"presence", "veh-1"});
-  const Arrival came = first_of(arrivals(waits, presence, Kind::kMessage), Kind::kMessage);
+  const Arrival came = first_of(arrivals(waits, life, Kind::kMessage), Kind::kMessage);
   ASSERT_EQ(came.key, "veh-1");
   const auto killed = Clock::now();
   peer.signal(SIGKILL);
-  const auto all = arrivals(waits, presence, Kind::kSilent);
+  const auto all = arrivals(waits, life, Kind::kSilent);
   const Arrival silent = first_of(all, Kind::kSilent);
   EXPECT_EQ(silent.sender, came.sender);
   EXPECT_LT(silent.noticed - killed, milliseconds(1000));
-  EXPECT_TRUE(presence.senders().empty());
+  EXPECT_TRUE(life.senders().empty());
   // Its keys are told as well, beside or after it.
-  const auto keys =
-      first_of(all, Kind::kOrphaned).key.empty() ? arrivals(waits, presence, Kind::kOrphaned) : all;
+  const auto keys = first_of(all, Kind::kOrphaned).key.empty() ? arrivals(waits, life, Kind::kOrphaned) : all;
   EXPECT_EQ(first_of(keys, Kind::kOrphaned).key, "veh-1");
-  EXPECT_EQ(first_of(arrivals(waits, presence, Kind::kUnmatched), Kind::kUnmatched).sender, came.sender);
+  EXPECT_EQ(first_of(arrivals(waits, life, Kind::kUnmatched), Kind::kUnmatched).sender, came.sender);
 }
 
 TEST(DdsPresence, OfAProcessThatIsStoppedIsLostAndComesBackWithIt) {
   Participant here = participant();
   Waiter waits = waiter();
-  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  Reader life = reader(here, "life", ChannelKind::kSignsOfLife, waits);
   const Peer peer({"presence", "veh-1"});
-  const Arrival came = first_of(arrivals(waits, presence, Kind::kMessage), Kind::kMessage);
+  const Arrival came = first_of(arrivals(waits, life, Kind::kMessage), Kind::kMessage);
   for (int i = 0; i < 2; ++i) {
     const auto stopped = Clock::now();
     peer.signal(SIGSTOP);
-    EXPECT_LT(first_of(arrivals(waits, presence, Kind::kSilent), Kind::kSilent).noticed - stopped,
+    EXPECT_LT(first_of(arrivals(waits, life, Kind::kSilent), Kind::kSilent).noticed - stopped,
               milliseconds(1000));
     peer.signal(SIGCONT);
-    EXPECT_EQ(first_of(arrivals(waits, presence, Kind::kAlive), Kind::kAlive).sender, came.sender);
-    EXPECT_EQ(presence.senders(), std::vector{came.sender});
+    EXPECT_EQ(first_of(arrivals(waits, life, Kind::kAlive), Kind::kAlive).sender, came.sender);
+    EXPECT_EQ(life.senders(), std::vector{came.sender});
   }
 }
 
 TEST(DdsPresence, OfAProcessThatWasStoppedForLongIsFoundAnew) {
   Participant here = participant();
   Waiter waits = waiter();
-  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  Reader life = reader(here, "life", ChannelKind::kSignsOfLife, waits);
   const Peer peer({"presence", "veh-1"});
-  ASSERT_FALSE(bodies(arrivals(waits, presence, Kind::kMessage)).empty());
+  ASSERT_FALSE(bodies(arrivals(waits, life, Kind::kMessage)).empty());
   peer.signal(SIGSTOP);
-  arrivals(waits, presence, Kind::kUnmatched);
+  arrivals(waits, life, Kind::kUnmatched);
   peer.signal(SIGCONT);
-  const auto again = arrivals(waits, presence, Kind::kMessage);
+  const auto again = arrivals(waits, life, Kind::kMessage);
   EXPECT_EQ(first_of(again, Kind::kMessage).key, "veh-1");
   EXPECT_NE(first_of(again, Kind::kMatched).sender, Guid{});
 }
@@ -92,11 +91,11 @@ TEST(DdsPresence, OfTwentyProcessesIsKnownWithinFiveSeconds) {
 TEST(DdsPresence, IsNotLostWhileEveryFifthPacketIs) {
   Participant here = participant(200);
   Waiter waits = waiter();
-  Reader presence = reader(here, "presence", ChannelKind::kPresence, waits);
+  Reader life = reader(here, "life", ChannelKind::kSignsOfLife, waits);
   const Peer peer({"presence", "veh-1"}, 200);
-  const auto all = arrivals(waits, presence, Kind::kMessage);
+  const auto all = arrivals(waits, life, Kind::kMessage);
   ASSERT_EQ(first_of(all, Kind::kMessage).key, "veh-1");
-  const auto later = arrivals(waits, presence, Kind::kUnmatched, 1, milliseconds(6000));
+  const auto later = arrivals(waits, life, Kind::kUnmatched, 1, milliseconds(6000));
   EXPECT_EQ(first_of(later, Kind::kUnmatched).sender, Guid{});
 }
 

@@ -1,7 +1,9 @@
 #include "mlab/dds/reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +17,10 @@ namespace {
 
 /// How much of what has arrived is asked for at once.
 constexpr std::uint32_t kBatch = 16;
+
+bool is_prompt(const mlab_dds_Envelope& envelope) {
+  return std::string_view(envelope.key, strnlen(envelope.key, kMaxKey)) == kPromptKey;
+}
 
 Arrival arrival_of(const mlab_dds_Envelope& envelope, const dds_sample_info_t& sample) {
   using std::chrono::nanoseconds;
@@ -76,7 +82,8 @@ Reader::State::State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<Wait
     : core_(std::move(core)),
       waiter_(std::move(waiter)),
       writers_(std::move(topic), kind, "writes"),
-      waiting_(info(kind).is_newest_only) {}
+      waiting_(info(kind).is_newest_only),
+      is_newest_only_(info(kind).is_newest_only) {}
 
 std::expected<void, std::string> Reader::State::begin(const std::string& topic, ChannelKind kind) {
   auto made = core_->topic(topic);
@@ -122,6 +129,7 @@ bool Reader::State::fetch(dds_entity_t reader) {
   const dds_return_t count = dds_take(reader, samples.data(), about.data(), kBatch, kBatch);
   if (count <= 0) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    if (is_prompt(*static_cast<const mlab_dds_Envelope*>(samples[i]))) continue;
     const auto who = sender(reader, about[i].publication_handle);
     if (!who) continue;
     Arrival arrival = arrival_of(*static_cast<const mlab_dds_Envelope*>(samples[i]), about[i]);
@@ -211,8 +219,35 @@ void Reader::State::on_incompatible(dds_entity_t /*reader*/, dds_requested_incom
 void Reader::State::tell(Arrival arrival) {
   arrival.noticed = std::chrono::steady_clock::now();
   const std::lock_guard lock(mutex_);
-  waiting_.add(std::move(arrival));
-  waiter_->signal();
+  const auto branch = std::ranges::find_if(branches_, [&](const auto& one) {
+    return arrival.kind == Arrival::Kind::kMessage && one->sender == arrival.sender &&
+           one->key == arrival.key;
+  });
+  if (branch == branches_.end()) {
+    waiting_.add(std::move(arrival));
+    waiter_->signal();
+    return;
+  }
+  (*branch)->waiting.add(std::move(arrival));
+  (*branch)->waiter->signal();
+}
+
+std::shared_ptr<Reader::Branch::Queue> Reader::State::add_branch(const Guid& sender, std::string_view key,
+                                                                 std::shared_ptr<WaiterState> waiter) {
+  auto made = std::make_shared<Branch::Queue>(
+      Branch::Queue{sender, std::string(key), std::move(waiter), Waiting(is_newest_only_)});
+  const std::lock_guard lock(mutex_);
+  return branches_.emplace_back(std::move(made));
+}
+
+void Reader::State::end_branch(const std::shared_ptr<Branch::Queue>& branch) {
+  const std::lock_guard lock(mutex_);
+  std::erase(branches_, branch);
+}
+
+std::vector<Arrival> Reader::State::take(Branch::Queue& branch) {
+  const std::lock_guard lock(mutex_);
+  return branch.waiting.take();
 }
 
 std::vector<Arrival> Reader::State::take() {
@@ -238,6 +273,21 @@ Reader::~Reader() = default;
 std::vector<Arrival> Reader::take() {
   return state_->take();
 }
+Reader::Branch Reader::branch(const Guid& sender, std::string_view key, const Waiter& waiter) {
+  return {*state_, state_->add_branch(sender, key, waiter.state_)};
+}
+
+Reader::Branch::Branch(State& reader, std::shared_ptr<Queue> queue)
+    : reader_(&reader), queue_(std::move(queue)) {}
+Reader::Branch::Branch(Branch&& other) noexcept
+    : reader_(std::exchange(other.reader_, nullptr)), queue_(std::move(other.queue_)) {}
+Reader::Branch::~Branch() {
+  if (reader_ != nullptr) reader_->end_branch(queue_);
+}
+std::vector<Arrival> Reader::Branch::take() {
+  return reader_->take(*queue_);
+}
+
 std::vector<Guid> Reader::senders() const {
   return state_->senders();
 }

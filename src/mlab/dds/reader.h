@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mlab/dds/message.h"
+#include "mlab/dds/waiter.h"
 
 namespace mlab::dds {
 
@@ -27,6 +29,15 @@ class Reader {
   /// All that has arrived since the last call; never waits.
   std::vector<Arrival> take();
 
+  /// Messages of one sender under one key, for another thread: one that serves a conversation of many on this
+  /// topic, and would otherwise have to be woken by the one that serves the topic.
+  class Branch;
+  /// From now on those messages go there, and nothing of them to `take`; what has arrived before does. All
+  /// else that concerns their sender is told here.
+  /// @param waiter  is signalled whenever there is something to take from the branch
+  /// @return  it has to end before the reader
+  Branch branch(const Guid& sender, std::string_view key, const Waiter& waiter);
+
   /// The participants that write this topic, as what it is read as, and are not silent.
   std::vector<Guid> senders() const;
 
@@ -39,6 +50,22 @@ class Reader {
   class State;
   explicit Reader(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
+};
+
+class Reader::Branch {
+ public:
+  Branch(Branch&& other) noexcept;
+  Branch& operator=(Branch&&) = delete;
+  ~Branch();
+  /// As Reader::take: messages, and Arrival::Kind::kLost.
+  std::vector<Arrival> take();
+
+ private:
+  friend class Reader;
+  struct Queue;
+  Branch(State& reader, std::shared_ptr<Queue> queue);
+  State* reader_;  // null: moved from
+  std::shared_ptr<Queue> queue_;
 };
 
 }  // namespace mlab::dds

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -36,6 +37,14 @@ class Waiting {
   std::chrono::steady_clock::time_point lost_at_;
 };
 
+/// Under the lock of its reader.
+struct Reader::Branch::Queue {
+  Guid sender;
+  std::string key;
+  std::shared_ptr<WaiterState> waiter;
+  Waiting waiting;
+};
+
 /// A reader as Cyclone's threads see it: they call its listener, which touches it only under its lock.
 class Reader::State {
  public:
@@ -49,6 +58,10 @@ class Reader::State {
   std::expected<void, std::string> begin(const std::string& topic, ChannelKind kind);
 
   std::vector<Arrival> take();
+  std::shared_ptr<Branch::Queue> add_branch(const Guid& sender, std::string_view key,
+                                            std::shared_ptr<WaiterState> waiter);
+  void end_branch(const std::shared_ptr<Branch::Queue>& branch);
+  std::vector<Arrival> take(Branch::Queue& branch);
   std::vector<Guid> senders() const;
   std::vector<std::string> mismatches() const;
 
@@ -71,6 +84,8 @@ class Reader::State {
   mutable std::mutex mutex_;
   Counterparts writers_;
   Waiting waiting_;
+  std::vector<std::shared_ptr<Branch::Queue>> branches_;
+  bool is_newest_only_;
   Entity topic_;
   Entity reader_;
 };

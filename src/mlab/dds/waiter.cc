@@ -1,68 +1,77 @@
 #include "mlab/dds/waiter.h"
 
-#include <poll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
-#include <limits>
-#include <system_error>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "mlab/dds/waiter_state.h"
 
 namespace mlab::dds {
 
 WaiterState::~WaiterState() {
-  ::close(descriptor_);
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void WaiterState::signal() {
-  if (is_signalled_.exchange(true)) return;
+void WaiterState::make_readable() const {
   const std::uint64_t one = 1;
   [[maybe_unused]] const auto written = ::write(descriptor_, &one, sizeof one);
 }
 
-void WaiterState::wake() {
-  is_woken_ = true;
-  signal();
+void WaiterState::set(bool is_woken) {
+  {
+    const std::lock_guard lock(mutex_);
+    is_woken_ |= is_woken;
+    if (std::exchange(is_signalled_, true)) return;
+    if (descriptor_ >= 0) make_readable();
+  }
+  changed_.notify_one();
+}
+
+Waiter::Outcome WaiterState::acknowledge_locked() {
+  std::uint64_t count = 0;
+  if (descriptor_ >= 0) {
+    [[maybe_unused]] const auto got = ::read(descriptor_, &count, sizeof count);
+  }
+  is_signalled_ = false;
+  return std::exchange(is_woken_, false) ? Waiter::Outcome::kWoken : Waiter::Outcome::kNews;
 }
 
 Waiter::Outcome WaiterState::acknowledge() {
-  std::uint64_t count = 0;
-  [[maybe_unused]] const auto got = ::read(descriptor_, &count, sizeof count);
-  // In this order: who signals in between finds the flag up, and what he has to tell is taken after this.
-  is_signalled_ = false;
-  return is_woken_.exchange(false) ? Waiter::Outcome::kWoken : Waiter::Outcome::kNews;
+  const std::lock_guard lock(mutex_);
+  return acknowledge_locked();
+}
+
+Waiter::Outcome WaiterState::wait(const std::chrono::steady_clock::time_point* deadline) {
+  std::unique_lock lock(mutex_);
+  const auto is_signalled = [this] { return is_signalled_; };
+  if (deadline == nullptr)
+    changed_.wait(lock, is_signalled);
+  else if (!changed_.wait_until(lock, *deadline, is_signalled))
+    return Waiter::Outcome::kTimeout;
+  return acknowledge_locked();
+}
+
+int WaiterState::descriptor() {
+  const std::lock_guard lock(mutex_);
+  if (descriptor_ >= 0) return descriptor_;
+  descriptor_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (descriptor_ >= 0 && is_signalled_) make_readable();
+  return descriptor_;
 }
 
 std::expected<Waiter, std::string> Waiter::make() {
-  const int descriptor = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (descriptor < 0)
-    return std::unexpected(
-        fmt::format("no descriptor to wait with: {}", std::generic_category().message(errno)));
   Waiter waiter;
-  waiter.state_ = std::make_shared<WaiterState>(descriptor);
+  waiter.state_ = std::make_shared<WaiterState>();
   return waiter;
 }
 
 Waiter::Outcome Waiter::wait(std::chrono::milliseconds limit) {
-  using Clock = std::chrono::steady_clock;
-  const auto began = Clock::now();
-  while (true) {
-    const auto left = limit - std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began);
-    const auto longest = std::chrono::milliseconds(std::numeric_limits<int>::max());
-    const int timeout =
-        limit.count() < 0 ? -1
-                          : static_cast<int>(std::clamp(left, std::chrono::milliseconds(0), longest).count());
-    pollfd asked{.fd = state_->descriptor(), .events = POLLIN, .revents = 0};
-    const int ready = ::poll(&asked, 1, timeout);
-    if (ready > 0) return state_->acknowledge();
-    if (ready == 0 && left <= longest) return Outcome::kTimeout;
-    if (ready < 0 && errno != EINTR) return Outcome::kTimeout;
-  }
+  // What is further away than this is never.
+  constexpr std::chrono::hours kLongest(24 * 365);
+  if (limit.count() < 0 || limit > kLongest) return state_->wait(nullptr);
+  const auto deadline = std::chrono::steady_clock::now() + limit;
+  return state_->wait(&deadline);
 }
 
 void Waiter::wake() {

@@ -13,14 +13,15 @@ class WaiterState;
 /// What a thread waits with for any number of readers and writers, which signal it whenever something
 /// arrives, comes or goes. One thread waits; all else may be called by any thread.
 ///
-/// It is a descriptor (eventfd), because that serves both kinds of callers: a loop of our own polls it, and
-/// Boost.Asio watches it as any other descriptor (`asio::posix::stream_descriptor`, then `acknowledge()`).
-/// So no code of a caller ever runs on a thread of Cyclone's, where a slow one would hold up the network.
+/// It has a descriptor (eventfd) for who asks for one: a loop polls it, and Boost.Asio watches it as any
+/// other
+/// (`asio::posix::stream_descriptor`, then `acknowledge()`). So no code of a caller ever runs on a thread of
+/// Cyclone's, where a slow one would hold up the network.
 class Waiter {
  public:
   enum class Outcome : std::uint8_t { kNews, kWoken, kTimeout };
 
-  /// @errors  a sentence: no descriptor is left
+  /// @errors  a sentence: none at present
   static std::expected<Waiter, std::string> make();
 
   /// Until there is something to take from one of the readers, somebody calls `wake`, or `limit` is over.
@@ -34,7 +35,8 @@ class Waiter {
   /// Ends the wait under way, or else the next one, with kWoken.
   void wake();
 
-  /// Readable while there is something; -1 for one that was moved from. It belongs to the waiter.
+  /// Readable while there is something; -1 for one that was moved from, and where none is
+  /// left. It belongs to the waiter.
   int descriptor() const;
 
   /// For who watches the descriptor by other means: makes it unreadable, until something happens. To be
@@ -43,6 +45,7 @@ class Waiter {
 
  private:
   friend class Participant;
+  friend class Reader;
   std::shared_ptr<WaiterState> state_;
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 
 #include "mlab/dds/waiter.h"
 
@@ -9,21 +11,30 @@ namespace mlab::dds {
 /// What is left of a waiter for those who signal it, on whatever thread.
 class WaiterState {
  public:
-  explicit WaiterState(int descriptor) : descriptor_(descriptor) {}
+  WaiterState() = default;
   WaiterState(const WaiterState&) = delete;
   WaiterState& operator=(const WaiterState&) = delete;
   ~WaiterState();
 
-  void signal();
-  void wake();
+  void signal() { set(false); }
+  void wake() { set(true); }
+  /// @param deadline  null: none
+  Waiter::Outcome wait(const std::chrono::steady_clock::time_point* deadline);
   Waiter::Outcome acknowledge();
-  int descriptor() const { return descriptor_; }
+  /// -1: none is left.
+  int descriptor();
 
  private:
-  int descriptor_;
-  // Spares the system call where the descriptor is readable already.
-  std::atomic<bool> is_signalled_ = false;
-  std::atomic<bool> is_woken_ = false;
+  void set(bool is_woken);
+  Waiter::Outcome acknowledge_locked();
+  void make_readable() const;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool is_signalled_ = false;
+  bool is_woken_ = false;
+  // Only once somebody has asked for it: to write and read one costs more than all else here.
+  int descriptor_ = -1;
 };
 
 }  // namespace mlab::dds

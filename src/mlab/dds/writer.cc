@@ -15,7 +15,7 @@ namespace mlab::dds {
 namespace {
 
 bool is_key(std::string_view key) {
-  return key.size() <= kMaxKey && key.find('\0') == std::string_view::npos;
+  return key.size() <= kMaxKey && key.find('\0') == std::string_view::npos && key != kPromptKey;
 }
 
 /// The body stays where it is: Cyclone only reads it.
@@ -54,6 +54,7 @@ std::expected<void, std::string> Writer::State::begin(const std::string& topic, 
     return std::unexpected(fmt::format("`{}` can't be written: {}", topic, dds_strretcode(writer)));
   writer_ = Entity(writer);
   note_those_before();
+  if (info(kind).is_asked_after) prompts_.emplace(core_->prompter(), [this] { prompt(); });
   return {};
 }
 
@@ -77,6 +78,7 @@ void Writer::State::note_those_before() {
 }
 
 Writer::State::~State() {
+  prompts_.reset();
   writer_.reset();
   take_over(this);
 }
@@ -109,13 +111,25 @@ Written Writer::State::write(std::string_view key, std::string_view body) {
   if (!is_key(key)) return Written::kBadKey;
   if (body.size() > kMaxBody) return Written::kTooLong;
   const mlab_dds_Envelope envelope = envelope_of(key, body);
-  return written(dds_write(writer_.handle(), &envelope));
+  const Written how = written(dds_write(writer_.handle(), &envelope));
+  if (prompts_) prompts_->written();
+  return how;
+}
+
+// It says what was written before, and so who misses that asks for it.
+void Writer::State::prompt() {
+  if (readers().empty()) return;
+  const mlab_dds_Envelope envelope = envelope_of(kPromptKey, {});
+  // One that is not written is followed by the next.
+  static_cast<void>(dds_write(writer_.handle(), &envelope));
 }
 
 Written Writer::State::end(std::string_view key) {
   if (!is_key(key)) return Written::kBadKey;
   const mlab_dds_Envelope envelope = envelope_of(key, {});
-  return written(dds_dispose(writer_.handle(), &envelope));
+  const Written how = written(dds_dispose(writer_.handle(), &envelope));
+  if (prompts_) prompts_->written();
+  return how;
 }
 
 std::vector<Guid> Writer::State::readers() const {

@@ -15,7 +15,7 @@ enum class Written : std::uint8_t {
   kDone,     ///< it is on its way; or nobody reads the topic
   kFull,     ///< readers did not keep up for the channel's `longest_wait`: it was not written
   kTooLong,  ///< the body is longer than kMaxBody
-  kBadKey,   ///< the key is longer than kMaxKey, or has a byte 0
+  kBadKey,   ///< the key is longer than kMaxKey, has a byte 0, or is what prompts have
   kFailed,   ///< Cyclone has no memory, or no network any more: Participant::complaints may tell
 };
 

@@ -4,11 +4,13 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mlab/dds/counterparts.h"
 #include "mlab/dds/participant_core.h"
+#include "mlab/dds/prompter.h"
 #include "mlab/dds/waiter_state.h"
 #include "mlab/dds/writer.h"
 
@@ -33,6 +35,7 @@ class Writer::State {
   std::vector<std::string> mismatches() const;
 
  private:
+  void prompt();
   void note_those_before();
   static void on_matched(dds_entity_t writer, dds_publication_matched_status_t status, void* state);
   static void on_incompatible(dds_entity_t writer, dds_offered_incompatible_qos_status_t status, void* state);
@@ -43,6 +46,7 @@ class Writer::State {
   Counterparts readers_;
   Entity topic_;
   Entity writer_;
+  std::optional<Prompter::Task> prompts_;  // of channels that are asked after
 };
 
 }  // namespace mlab::dds

@@ -1,6 +1,6 @@
 // A participant in a process of its own, which tests kill, stop and count. It ends with who started it.
 //
-//     dds_peer FLEET LOST presence KEY          is there, and says so five times a second
+//     dds_peer FLEET LOST presence KEY          is there, and gives signs of life all the time
 //     dds_peer FLEET LOST echo OUT BACK         answers each of lock-step percepts with an action of its key
 //     and body dds_peer FLEET LOST send TOPIC COUNT      writes 0, 1, 2, ... as events once somebody reads
 //     dds_peer FLEET LOST read TOPIC            reads commands, and takes none
@@ -37,9 +37,11 @@ void write_surely(Writer& writer, const std::string& key, const std::string& bod
 
 void be_there(Participant& participant, const std::string& key) {
   Writer presence = need(participant.writer("presence", ChannelKind::kPresence));
+  Writer life = need(participant.writer("life", ChannelKind::kSignsOfLife));
+  write_surely(presence, key, "here");
   while (true) {
-    write_surely(presence, key, "here");
-    std::this_thread::sleep_for(milliseconds(200));
+    static_cast<void>(life.write(key, "alive"));
+    std::this_thread::sleep_for(milliseconds(50));
   }
 }
 

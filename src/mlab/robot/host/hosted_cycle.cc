@@ -185,7 +185,7 @@ HostedCycle::Failure HostedCycle::failure_of(std::string what) {
 std::optional<HostedCycle::Failure> HostedCycle::await(const Meanwhile& meanwhile) {
   Control& control = memory_->control();
   const auto are_all = [this](std::uint32_t answered) { return answered == asked_ever_; };
-  if (control.answered.is_soon(are_all)) return std::nullopt;
+  if (control.answered.is_soon(are_all, looks_)) return std::nullopt;
   std::uint32_t place = Control::kNobody;
   auto began = Clock::now();
   double used = process_->processor_time();

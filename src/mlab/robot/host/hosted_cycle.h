@@ -95,6 +95,7 @@ class HostedCycle {
   std::shared_ptr<const HostedProgram> program_;
   bool is_early_;
   std::optional<SharedMemory> memory_;
+  robot_wire::Looks looks_;
   std::optional<RobotProgramProcess> process_;
   std::string said_before_;    // by the process before this one
   std::deque<Joined> joined_;  // the first `count_` are of this cycle

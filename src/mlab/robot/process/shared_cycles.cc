@@ -19,9 +19,9 @@ bool has_ended(int in) {
 }
 
 // False: nobody will ask any more.
-bool wait_for_places(Control& control, std::uint32_t done, int in) {
+bool wait_for_places(Control& control, std::uint32_t done, robot_wire::Looks& looks, int in) {
   const auto is_next = [done](std::uint32_t asked) { return asked != done; };
-  if (control.asked.is_soon(is_next)) return true;
+  if (control.asked.is_soon(is_next, looks)) return true;
   constexpr timespec kPatience{1, 0};
   while (!control.asked.is_after_sleep(is_next, kPatience)) {
     if (has_ended(in)) return false;
@@ -56,8 +56,9 @@ bool SharedFiles::grow() {
 int serve_shared(SharedFiles& files, const flow::Program& program, int in) {
   robot_wire::ReadPercepts read;
   const std::size_t size = robot_wire::place_size(program.frame_size());
+  robot_wire::Looks looks;
   std::uint32_t done = files.control().answered.get();
-  while (wait_for_places(files.control(), done, in)) {
+  while (wait_for_places(files.control(), done, looks, in)) {
     const std::uint32_t asked = files.control().asked.get();
     if (!files.grow()) return 1;
     for (; done != asked; ++done) {

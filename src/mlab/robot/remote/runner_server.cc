@@ -59,6 +59,13 @@ bool is_built_from_text(const std::string& name) {
 
 }  // namespace
 
+google::protobuf::ArenaOptions RunnerServer::memory() {
+  google::protobuf::ArenaOptions out;
+  out.initial_block = block_.data();
+  out.initial_block_size = block_.size();
+  return out;
+}
+
 RunnerServer::RunnerServer(AgentTerms terms) : terms_(std::move(terms)) {
   // What arrives may be anything: no frame that came from elsewhere is stepped in this process.
   terms_.sources.in_own_processes = true;
@@ -66,27 +73,29 @@ RunnerServer::RunnerServer(AgentTerms terms) : terms_(std::move(terms)) {
 }
 
 std::string_view RunnerServer::answer(std::string_view message, const robot::Meanwhile& meanwhile) {
-  answer_.Clear();
-  if (!message_.ParseFromArray(message.data(), static_cast<int>(message.size()))) {
-    message_.Clear();
+  arena_.Reset();
+  message_ = google::protobuf::Arena::CreateMessage<wire::ToAgent>(&arena_);
+  answer_ = google::protobuf::Arena::CreateMessage<wire::FromAgent>(&arena_);
+  if (!message_->ParseFromArray(message.data(), static_cast<int>(message.size()))) {
+    message_->Clear();
     refuse("this is no message of the agents' protocol");
   } else {
-    answer_.set_number(message_.number());
-    answer_body(message_, meanwhile);
+    answer_->set_number(message_->number());
+    answer_body(*message_, meanwhile);
   }
   bytes_.clear();
-  answer_.AppendToString(&bytes_);
+  answer_->AppendToString(&bytes_);
   return bytes_;
 }
 
 void RunnerServer::refuse(std::string why) {
-  answer_.mutable_refusal()->set_text(std::move(why));
+  answer_->mutable_refusal()->set_text(std::move(why));
 }
 
 void RunnerServer::answer_body(const wire::ToAgent& message, const robot::Meanwhile& meanwhile) {
   if (!runners_ && !message.has_open() && !message.has_read_log()) {
     refuse("no run has opened this conversation");
-    answer_.mutable_refusal()->set_is_unknown(true);
+    answer_->mutable_refusal()->set_is_unknown(true);
     return;
   }
   switch (message.body_case()) {
@@ -116,7 +125,7 @@ void RunnerServer::answer_body(const wire::ToAgent& message, const robot::Meanwh
       break;
     case wire::ToAgent::kLeave:
       has_left_ = true;
-      answer_.mutable_done();
+      answer_->mutable_done();
       break;
     case wire::ToAgent::kReadLog:
       read_log(message.read_log());
@@ -132,7 +141,7 @@ void RunnerServer::open(const wire::Open& message) {
     refuse("this conversation was opened already");
     return;
   }
-  wire::Opened& opened = *answer_.mutable_opened();
+  wire::Opened& opened = *answer_->mutable_opened();
   opened.set_protocol(kAgentProtocol);
   opened.set_version(terms_.sources.version);
   opened.set_layout(robot_wire::shared_layout());
@@ -165,7 +174,7 @@ void RunnerServer::bring(const wire::Bring& message) {
     return;
   }
   programs_[message.program()] = std::make_unique<const robot::RobotProgram>(std::move(*program));
-  answer_.mutable_brought();
+  answer_->mutable_brought();
 }
 
 // Nothing: it was refused.
@@ -217,7 +226,7 @@ void RunnerServer::enlist(const wire::Enlist& message) {
   robot.runner = runner;
   robot.member = runner->add(id, *program->second);
   robot.program = program->second.get();
-  answer_.mutable_done();
+  answer_->mutable_done();
 }
 
 void RunnerServer::dismiss(const wire::Dismiss& message) {
@@ -225,7 +234,7 @@ void RunnerServer::dismiss(const wire::Dismiss& message) {
   if (robot == nullptr) return;
   robot->runner->remove(robot->member);
   robots_.erase(message.member());
-  answer_.mutable_done();
+  answer_->mutable_done();
 }
 
 void RunnerServer::put_needs(const Robot& robot, wire::Needs& out) const {
@@ -247,7 +256,7 @@ void RunnerServer::put(const wire::Put& message) {
     refuse(state.error());
     return;
   }
-  wire::Done& done = *answer_.mutable_done();
+  wire::Done& done = *answer_->mutable_done();
   if (message.begins()) {
     if (auto problem = robot->runner->start(robot->member)) {
       done.set_problem(std::move(*problem));
@@ -282,20 +291,20 @@ void RunnerServer::change(const wire::Change& message) {
       refuse("a change of a kind that this agent does not know");
       return;
   }
-  wire::Done& done = *answer_.mutable_done();
+  wire::Done& done = *answer_->mutable_done();
   if (problem) done.set_problem(std::move(*problem));
   put_needs(*robot, *done.mutable_needs());
 }
 
 void RunnerServer::look(const wire::Look& message) {
   const Robot* const robot = known(message.member());
-  if (robot != nullptr) put_state(*robot, *answer_.mutable_seen()->mutable_state());
+  if (robot != nullptr) put_state(*robot, *answer_->mutable_seen()->mutable_state());
 }
 
 void RunnerServer::read_log(const wire::ReadLog& message) {
   Robot* const robot = message.member() == Agent::kNoMember ? nullptr : known(message.member());
-  if (answer_.has_refusal()) return;
-  wire::AgentLog& log = *answer_.mutable_log();
+  if (answer_->has_refusal()) return;
+  wire::AgentLog& log = *answer_->mutable_log();
   if (terms_.log) {
     for (const robot::LogLine& line : terms_.log()) {
       wire::AgentLogLine& out = *log.add_lines();
@@ -371,7 +380,7 @@ void RunnerServer::act(const wire::AgentCycle& cycle, const robot::Meanwhile& me
     refuse(std::move(*problem));
     return;
   }
-  wire::AgentActed& acted = *answer_.mutable_acted();
+  wire::AgentActed& acted = *answer_->mutable_acted();
   for (const auto& part : run_parts(static_cast<std::size_t>(cycle.robots_size()), meanwhile))
     put_action(*part, *acted.add_robots());
 }

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include <google/protobuf/arena.h>
+
 #include "mlab/agent.pb.h"
 #include "mlab/robot/program/program_runners.h"
 #include "mlab/robot/program/robot_program.h"
@@ -114,8 +116,13 @@ class RunnerServer {
   std::map<std::uint32_t, std::unique_ptr<const robot::RobotProgram>> programs_;
   std::map<std::uint32_t, Robot> robots_;
   std::vector<std::unique_ptr<Part>> parts_;  // the first of them are of this cycle
-  wire::ToAgent message_;
-  wire::FromAgent answer_;
+  google::protobuf::ArenaOptions memory();
+  // Of what is asked and answered; it is used again for the next.
+  static constexpr std::size_t kBlock = 16'384;
+  std::vector<char> block_ = std::vector<char>(kBlock);
+  google::protobuf::Arena arena_{memory()};
+  wire::ToAgent* message_ = nullptr;
+  wire::FromAgent* answer_ = nullptr;
   wire::LiveAction live_;
   std::string bytes_;
   double period_ = 0.0;  // [s]

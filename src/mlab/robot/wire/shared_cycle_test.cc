@@ -70,5 +70,35 @@ TEST(SharedAction, RefusesRequestsThatThereAreNot) {
   }
 }
 
+TEST(Looks, GiveUpWhereTheyDoNotPayAndAreTriedAgain) {
+  Looks looks;
+  const int most = looks.count();
+  EXPECT_GT(most, 0);
+  for (int i = 0; i < 20; ++i) looks.learn(looks.count());
+  EXPECT_EQ(looks.count(), 0);
+  int waits = 0;
+  while (looks.count() == 0 && waits < 1000) {
+    looks.learn(0);
+    ++waits;
+  }
+  EXPECT_EQ(looks.count(), most);
+  looks.learn(1);
+  EXPECT_EQ(looks.count(), most) << "it has paid";
+  looks.learn(most - 1);
+  EXPECT_LT(looks.count(), most) << "to sleep would have been cheaper";
+}
+
+TEST(SharedNumber, IsSeenWithoutSleepingWhereItIsAlreadyAsWanted) {
+  SharedNumber number;
+  number.set(7);
+  Looks looks;
+  const auto is_seven = [](std::uint32_t at) { return at == 7; };
+  EXPECT_TRUE(number.is_soon(is_seven, looks));
+  while (looks.count() > 0) looks.learn(looks.count());
+  EXPECT_TRUE(number.is_soon(is_seven, looks)) << "also where nobody looks any more";
+  number.set(8);
+  EXPECT_FALSE(number.is_soon(is_seven, looks));
+}
+
 }  // namespace
 }  // namespace mlab::robot_wire

@@ -9,6 +9,13 @@ namespace mlab::robot_wire {
 
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
+void Looks::learn(int looks) {
+  if ((looks < count_ && looks <= kCheap) || ++in_vain_ % kTryAgainAfter == 0)
+    count_ = kMost;
+  else
+    count_ /= 2;
+}
+
 void SharedNumber::set(std::uint32_t number) {
   number_.store(number);
   if (is_awaited_.load() != 0) syscall(SYS_futex, &number_, FUTEX_WAKE, 1, nullptr, nullptr, 0);

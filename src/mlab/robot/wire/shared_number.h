@@ -6,6 +6,23 @@
 
 namespace mlab::robot_wire {
 
+/// For how long one side looks before it sleeps: as long as that has paid lately. Where cycles follow each
+/// other fast it is faster than to sleep; else it would only take the processor from others. Of one thread.
+class Looks {
+ public:
+  int count() const { return count_; }
+  /// It was as wanted after so many looks; after all of them it may not have been. To sleep would have been
+  /// cheaper where many were needed.
+  void learn(int looks);
+
+ private:
+  static constexpr int kMost = 4000;  // some ten microseconds to a tenth of a millisecond
+  static constexpr int kCheap = kMost / 2;
+  static constexpr int kTryAgainAfter = 256;
+  int count_ = kMost;
+  int in_vain_ = 0;
+};
+
 /// A number that one process sets and another waits for, in memory that both see.
 class SharedNumber {
  public:
@@ -13,14 +30,18 @@ class SharedNumber {
   /// Also wakes whoever waits.
   void set(std::uint32_t number);
 
-  /// Looks whether the number is as wanted for some ten microseconds, which is faster than to sleep.
+  /// Looks whether the number is as wanted, which may be faster than to sleep.
   template <class Wanted>
-  bool is_soon(Wanted wanted) const {
-    for (int look = 1; look <= kLooks; ++look) {
-      if (wanted(get())) return true;
+  bool is_soon(Wanted wanted, Looks& looks) const {
+    for (int look = 1; look <= looks.count(); ++look) {
+      if (wanted(get())) {
+        looks.learn(look);
+        return true;
+      }
       pause(look);
     }
-    return false;
+    looks.learn(looks.count());
+    return wanted(get());
   }
 
   /// Sleeps until it is as wanted, or is set to something else, or the time is up. @return  whether it is
@@ -34,7 +55,6 @@ class SharedNumber {
   }
 
  private:
-  static constexpr int kLooks = 4000;
   static void pause(int look);
   void sleep(std::uint32_t before, const timespec& patience);
 

@@ -1,0 +1,74 @@
+#include "mlab/dds/prompter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mlab::dds {
+
+Prompter::Task::Task(Prompter& prompter, std::function<void()> prompt)
+    : prompter_(prompter), prompt_(std::move(prompt)) {
+  const std::scoped_lock lock(prompter_.mutex_);
+  prompter_.tasks_.push_back(this);
+}
+
+Prompter::Task::~Task() {
+  std::unique_lock lock(prompter_.mutex_);
+  std::erase(prompter_.tasks_, this);
+  prompter_.changed_.wait(lock, [this] { return prompter_.prompted_ != this; });
+}
+
+void Prompter::Task::written() {
+  const Clock::time_point now = Clock::now();
+  const std::scoped_lock lock(prompter_.mutex_);
+  // The shortest of late: one cycle in which something was lost must not make the next loss be noticed later.
+  const Clock::duration between = now - std::exchange(last_, now);
+  if (between < kMost) usual_ = std::min(between, usual_ + usual_ / 4 + std::chrono::microseconds(50));
+  // Five cycles are waited for, so that the thread need not wake up in each.
+  due_ = now + std::max<Clock::duration>(5 * usual_, kFirst);
+  left_ = kPrompts;
+  if (due_ >= prompter_.wakes_at_ || std::exchange(prompter_.is_too_late_, true)) return;
+  prompter_.changed_.notify_all();
+}
+
+Prompter::Prompter() : thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+
+Prompter::~Prompter() {
+  thread_.request_stop();
+}
+
+// When the next one is due.
+Prompter::Clock::time_point Prompter::prompt_the_due(std::unique_lock<std::mutex>& lock) {
+  const auto is_earlier = [](const Task* one, const Task* other) {
+    return std::pair(one->left_ == 0, one->due_) < std::pair(other->left_ == 0, other->due_);
+  };
+  for (;;) {
+    const auto next = std::ranges::min_element(tasks_, is_earlier);
+    if (next == tasks_.end() || (*next)->left_ == 0) return Clock::time_point::max();
+    Task& task = **next;
+    const Clock::time_point now = Clock::now();
+    if (task.due_ > now) return task.due_;
+    --task.left_;
+    task.due_ = now + std::clamp<Clock::duration>(2 * (task.due_ - task.last_), kFirst, kMost);
+    prompted_ = &task;
+    lock.unlock();
+    task.prompt_();
+    lock.lock();
+    prompted_ = nullptr;
+    changed_.notify_all();
+  }
+}
+
+void Prompter::serve(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (!stop.stop_requested()) {
+    wakes_at_ = prompt_the_due(lock);
+    is_too_late_ = false;
+    const auto is_too_late = [this] { return is_too_late_; };
+    if (wakes_at_ == Clock::time_point::max())
+      changed_.wait(lock, stop, is_too_late);
+    else
+      changed_.wait_until(lock, stop, wakes_at_, is_too_late);
+  }
+}
+
+}  // namespace mlab::dds

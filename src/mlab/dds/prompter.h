@@ -1,0 +1,65 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace mlab::dds {
+
+/// Has readers notice soon that the last thing written was lost: where nothing follows it they would not know
+/// that there was something. So after each write readers are prompted, as long as nothing is written: 2 ms
+/// later at first, then ever more seldom. In a fast lock-step the next cycle comes before that, and nobody
+/// is. Has a thread of its own.
+class Prompter {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kFirst{2};
+  static constexpr std::chrono::milliseconds kMost{16};  ///< between two
+  static constexpr int kPrompts = 12;                    ///< after which Cyclone's own, slower means are left
+
+  /// A writer's part of it. May be used by any thread.
+  class Task {
+   public:
+    /// @param prompt  called on the prompter's thread, until this is destroyed
+    Task(Prompter& prompter, std::function<void()> prompt);
+    Task(const Task&) = delete;
+    Task& operator=(const Task&) = delete;
+    ~Task();
+    /// Something was written.
+    void written();
+
+   private:
+    friend class Prompter;
+    Prompter& prompter_;
+    std::function<void()> prompt_;
+    // Under the prompter's mutex:
+    Clock::time_point last_;   // write
+    Clock::duration usual_{};  // between two writes, where they follow each other fast
+    Clock::time_point due_;    // of the next prompt
+    int left_ = 0;             // prompts
+  };
+
+  Prompter();
+  Prompter(const Prompter&) = delete;
+  Prompter& operator=(const Prompter&) = delete;
+  ~Prompter();
+
+ private:
+  void serve(const std::stop_token& stop);
+  Clock::time_point prompt_the_due(std::unique_lock<std::mutex>& lock);
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::vector<Task*> tasks_;
+  Task* prompted_ = nullptr;  // whose function runs at present
+  Clock::time_point wakes_at_ = Clock::time_point::max();
+  bool is_too_late_ = false;  // since something was written
+  std::jthread thread_;
+};
+
+}  // namespace mlab::dds

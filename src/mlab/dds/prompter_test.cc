@@ -1,0 +1,56 @@
+#include "mlab/dds/prompter.h"
+
+#include <atomic>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace mlab::dds {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+TEST(DdsPrompter, PromptsSomeTimesAfterTheLastWriteAndThenNoMore) {
+  std::atomic<int> prompts = 0;
+  Prompter prompter;
+  Prompter::Task task(prompter, [&] { ++prompts; });
+  std::this_thread::sleep_for(milliseconds(20));
+  EXPECT_EQ(prompts, 0) << "nothing was written";
+  task.written();
+  const auto until = Clock::now() + std::chrono::seconds(20);
+  while (prompts < Prompter::kPrompts && Clock::now() < until) std::this_thread::sleep_for(milliseconds(1));
+  std::this_thread::sleep_for(3 * Prompter::kMost);
+  EXPECT_EQ(prompts, Prompter::kPrompts);
+}
+
+TEST(DdsPrompter, PromptsNobodyBeforeItsTime) {
+  std::atomic<Clock::time_point> prompted = Clock::time_point::max();
+  Prompter prompter;
+  Prompter::Task task(prompter, [&] {
+    if (prompted.load() == Clock::time_point::max()) prompted = Clock::now();
+  });
+  const auto wrote = Clock::now();
+  task.written();
+  while (prompted.load() == Clock::time_point::max()) std::this_thread::sleep_for(milliseconds(1));
+  EXPECT_GE(prompted.load() - wrote, Prompter::kFirst);
+}
+
+TEST(DdsPrompter, CallsNothingOfATaskThatHasEnded) {
+  for (int i = 0; i < 50; ++i) {
+    Prompter prompter;
+    std::atomic<bool> is_there = true;
+    std::atomic<int> late = 0;
+    {
+      Prompter::Task task(prompter, [&] { late += is_there ? 0 : 1; });
+      task.written();
+      std::this_thread::sleep_for(std::chrono::microseconds(100 * i));
+    }
+    is_there = false;
+    std::this_thread::sleep_for(milliseconds(3));
+    EXPECT_EQ(late, 0);
+  }
+}
+
+}  // namespace
+}  // namespace mlab::dds
