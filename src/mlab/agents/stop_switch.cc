@@ -154,18 +154,15 @@ void StopSwitch::serve(const std::stop_token& stop) {
     }
     const bool is_urgent = is_fresh();
     const std::chrono::milliseconds every = is_urgent ? kUrgent : kRepeat;
+    const bool has_to_say = is_urgent || !missing.empty();
     // What it hears, its own words among it, does not make it speak more often.
-    if (!is_urgent && missing.empty()) {
-      said = {};
-    } else if (Clock::now() - said >= every) {
+    if (has_to_say && Clock::now() - said >= every) {
       say();
       said = Clock::now();
     }
     missing_before = std::move(missing);
-    const Clock::time_point next = std::max(said, Clock::now() - every) + every;
-    waiter_.wait(said == Clock::time_point()
-                     ? every
-                     : std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now()));
+    const Clock::duration left = has_to_say ? said + every - Clock::now() : Clock::duration(every);
+    waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(std::max(left, Clock::duration::zero())));
   }
 }
 

@@ -58,7 +58,7 @@ in_port_t join(const Socket& socket) {
 
 bool carries_loopback_multicast() {
   const Socket socket;
-  const in_port_t port = join(socket);
+  const in_port_t port = socket.descriptor() >= 0 ? join(socket) : in_port_t{0};
   if (port == 0) return false;
   const sockaddr_in group = at(kGroup, port);
   if (::sendto(socket.descriptor(), kWord.data(), kWord.size(), 0, reinterpret_cast<const sockaddr*>(&group),

@@ -28,28 +28,27 @@ void WaiterState::set(bool is_woken) {
   changed_.notify_one();
 }
 
-Waiter::Outcome WaiterState::acknowledge_locked() {
-  std::uint64_t count = 0;
-  if (descriptor_ >= 0) {
-    [[maybe_unused]] const auto got = ::read(descriptor_, &count, sizeof count);
+Waiter::Outcome WaiterState::acknowledge() {
+  if (const int descriptor = descriptor_; descriptor >= 0) {
+    std::uint64_t count = 0;
+    [[maybe_unused]] const auto got = ::read(descriptor, &count, sizeof count);
   }
+  // In this order: who signals in between finds the flag up, and what he has to tell is taken after this.
+  const std::lock_guard lock(mutex_);
   is_signalled_ = false;
   return std::exchange(is_woken_, false) ? Waiter::Outcome::kWoken : Waiter::Outcome::kNews;
 }
 
-Waiter::Outcome WaiterState::acknowledge() {
-  const std::lock_guard lock(mutex_);
-  return acknowledge_locked();
-}
-
 Waiter::Outcome WaiterState::wait(const std::chrono::steady_clock::time_point* deadline) {
-  std::unique_lock lock(mutex_);
-  const auto is_signalled = [this] { return is_signalled_; };
-  if (deadline == nullptr)
-    changed_.wait(lock, is_signalled);
-  else if (!changed_.wait_until(lock, *deadline, is_signalled))
-    return Waiter::Outcome::kTimeout;
-  return acknowledge_locked();
+  {
+    std::unique_lock lock(mutex_);
+    const auto is_signalled = [this] { return is_signalled_; };
+    if (deadline == nullptr)
+      changed_.wait(lock, is_signalled);
+    else if (!changed_.wait_until(lock, *deadline, is_signalled))
+      return Waiter::Outcome::kTimeout;
+  }
+  return acknowledge();
 }
 
 int WaiterState::descriptor() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -26,7 +27,6 @@ class WaiterState {
 
  private:
   void set(bool is_woken);
-  Waiter::Outcome acknowledge_locked();
   void make_readable() const;
 
   std::mutex mutex_;
@@ -34,7 +34,7 @@ class WaiterState {
   bool is_signalled_ = false;
   bool is_woken_ = false;
   // Only once somebody has asked for it: to write and read one costs more than all else here.
-  int descriptor_ = -1;
+  std::atomic<int> descriptor_ = -1;
 };
 
 }  // namespace mlab::dds
