@@ -9,6 +9,8 @@ namespace mlab::agents {
 namespace {
 
 // docs/network.md: best effort, so what is lost is made up for by what comes next.
+constexpr std::chrono::milliseconds kFirst(4);
+constexpr std::chrono::milliseconds kFirstFor(100);
 constexpr std::chrono::milliseconds kUrgent(20);
 constexpr std::chrono::seconds kUrgentFor(1);
 constexpr std::chrono::milliseconds kRepeat(200);
@@ -152,8 +154,8 @@ void StopSwitch::serve(const std::stop_token& stop) {
       const std::scoped_lock lock(telling_);
       if (changed_) changed_();
     }
-    const bool is_urgent = is_fresh();
-    const std::chrono::milliseconds every = is_urgent ? kUrgent : kRepeat;
+    const bool is_urgent = is_fresh(kUrgentFor);
+    const std::chrono::milliseconds every = !is_urgent ? kRepeat : is_fresh(kFirstFor) ? kFirst : kUrgent;
     const bool has_to_say = is_urgent || !missing.empty();
     // What it hears, its own words among it, does not make it speak more often.
     if (has_to_say && Clock::now() - said >= every) {
@@ -166,9 +168,9 @@ void StopSwitch::serve(const std::stop_token& stop) {
   }
 }
 
-bool StopSwitch::is_fresh() const {
+bool StopSwitch::is_fresh(Clock::duration age) const {
   const std::scoped_lock lock(mutex_);
-  return state_.number > 0 && Clock::now() - since_ < kUrgentFor;
+  return state_.number > 0 && Clock::now() - since_ < age;
 }
 
 // Those of which nothing is known here; of others this knows better. One that has left may be there again

@@ -17,8 +17,8 @@
 namespace mlab::agents {
 
 /// The emergency stop of a fleet, for who may pull and release it. What was pulled anywhere holds here, too.
-/// Has a thread of its own, which says it every 20 ms for a second, and five times a second until all agents
-/// have acknowledged it. May be used by any thread.
+/// Has a thread of its own, which says it every 4 ms for a tenth of a second, every 20 ms for a second, and
+/// five times a second until all agents have acknowledged it. May be used by any thread.
 class StopSwitch {
  public:
   /// @param by  who tells others whom he misses, for people: `run patrol on base`; empty: that isn't told
@@ -60,7 +60,7 @@ class StopSwitch {
   void serve(const std::stop_token& stop);
   bool listen();
   void say();
-  bool is_fresh() const;
+  bool is_fresh(Clock::duration age) const;
   void adopt(const StopState& state);
   std::vector<Hearsay::Entry> known_by_others() const;
 

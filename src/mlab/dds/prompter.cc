@@ -48,7 +48,7 @@ Prompter::Clock::time_point Prompter::prompt_the_due(std::unique_lock<std::mutex
     const Clock::time_point now = Clock::now();
     if (task.due_ > now) return task.due_;
     --task.left_;
-    task.due_ = now + std::clamp<Clock::duration>(2 * (task.due_ - task.last_), kFirst, kMost);
+    task.due_ = now + std::clamp<Clock::duration>((now - task.last_) / 2, kFirst, kMost);
     prompted_ = &task;
     lock.unlock();
     task.prompt_();
