@@ -52,7 +52,9 @@ TEST_F(Command, CheckPrintsTheFailsafesThatAreInForce) {
       "  1     all          OUTSIDE Field                    REVERSE INSIDE  2:1\n"
       "  2     ROBOT        LINK-LOST                5 s     RETURN          3:1\n"
       "  -     all          program fails                    stands          always\n"
-      "  -     all          LINK-LOST                0.5 s   stands          always, with --real-time\n");
+      "  -     all          LINK-LOST                0.5 s   stands          always, with --real-time\n"
+      "  -     all          PERCEPTS-STALE           0.5 s   stands          always, with --real-time\n"
+      "  -     all          OPERATOR-ABSENT          0.5 s   stick let go    always, under teleoperation\n");
   const Json json = Json::parse(mlab("check --failsafes --format json mission.mdl").out);
   EXPECT_EQ(json.at("files").at(0).at("failsafes").at(1).at("action"), "REVERSE INSIDE");
   write("mission.mdl", "OVERLAY map.odl\nFAILSAFE STUCK REVERSE INSIDE\n" + rest);

@@ -101,6 +101,26 @@ TEST_F(RealTime, ACutOffRobotDoesWhatItsFailsafeSays) {
   EXPECT_NEAR(robot["end"]["x_m"].get<double>(), 20.0, 1.0) << robot;
 }
 
+// Packets come, all of them: the link is not lost, and what the robot acts on is old all the same.
+TEST_F(RealTime, ARobotStandsWhileWhatItActsOnIsTooOld) {
+  make_network(28);
+  const Process north = agent("north");
+  Process far =
+      run(base::source_folder() + "/tests/fleets/errand/late.mdl", {"--real-time", "--patience", "20"});
+  ASSERT_TRUE(come_to_be(1));
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience));
+  std::this_thread::sleep_for(2s);
+  EXPECT_EQ(far.output().find("PERCEPTS-STALE"), std::string::npos) << "here they are in time";
+  net().set({.delay = 400ms});
+  EXPECT_TRUE(far.prints("robot 1: `FAILSAFE PERCEPTS-STALE AFTER 0.6 HOLD` acts", kFleetPatience))
+      << far.output();
+  net().set({});
+  EXPECT_TRUE(far.prints("robot 1: `FAILSAFE PERCEPTS-STALE AFTER 0.6 HOLD` is over", kFleetPatience))
+      << far.output();
+  far.signal(SIGTERM);
+  EXPECT_TRUE(far.wait(kFleetPatience)) << far.output();
+}
+
 TEST_F(RealTime, ARunThatIsStoppedForAWhileGoesOn) {
   make_network(23);
   const Process north = agent("north");

@@ -10,6 +10,7 @@ import {
   type Documents,
   type EditState,
   type FailsafeStandings,
+  type Failsafes_Bounds,
   type Failsafes_Row,
   type Frame,
   type Halted,
@@ -61,6 +62,8 @@ export interface Parts {
   held: readonly HeldValues_Held[];
   /** The mission's table of failsafes, the highest rank first. */
   failsafes: readonly Failsafes_Row[];
+  /** What may be tried with them. */
+  failsafeBounds: Failsafes_Bounds | null;
   /** How its rows stand for robots that are watched for it, by id; announced at most ten times a second. */
   standings: ReadonlyMap<number, FailsafeStandings>;
   /** Run time of the newest frame [s]; announced at most ten times a second. */
@@ -136,6 +139,7 @@ export class Model extends Store<Parts> {
       halted: null,
       held: [],
       failsafes: [],
+      failsafeBounds: null,
       standings: new Map(),
       time: 0,
       details: new Map(),
@@ -240,6 +244,7 @@ export class Model extends Store<Parts> {
         break;
       case "failsafes":
         this.set("failsafes", body.value.rows);
+        this.set("failsafeBounds", body.value.bounds ?? null);
         break;
       case "trails":
         this.takeTrails(body.value);

@@ -37,6 +37,8 @@ std::vector<FailsafeRow> failsafe_rows(const text::SourcePtr& source) {
   }
   out.push_back({0, "", "program fails", "", "stands", "always"});
   out.push_back({0, "", "LINK-LOST", "0.5 s", "stands", "always, with --real-time"});
+  out.push_back({0, "", "PERCEPTS-STALE", "0.5 s", "stands", "always, with --real-time"});
+  out.push_back({0, "", "OPERATOR-ABSENT", "0.5 s", "stick let go", "always, under teleoperation"});
   return out;
 }
 

@@ -45,6 +45,13 @@ geom::Vector past(geom::Vector thing, double radius, geom::Vector way, const Sit
   return (away + side) * share;
 }
 
+// For how long the condition has held, where that is measured and not counted in cycles [s].
+std::optional<double> known_to_last(FailsafeCondition condition, const Situation& situation) {
+  if (condition == FailsafeCondition::kLinkLost) return situation.silence;
+  if (condition == FailsafeCondition::kPerceptsStale) return situation.percept_age;
+  return std::nullopt;
+}
+
 void drive_towards(geom::Point goal, const Situation& situation, percept::Action& action) {
   stand(action);
   const geom::Vector to_goal = situation.motion.pose.to_robot(goal);
@@ -66,6 +73,11 @@ Failsafes::Failsafes(std::span<const mission::Failsafe> rows)
     : rows_(rows.begin(),
             rows.begin() + static_cast<std::ptrdiff_t>(std::min(rows.size(), mission::kMostFailsafes))) {
   for (const mission::Failsafe& row : rows_) fences_.emplace_back(row.fence);
+}
+
+bool Failsafes::watches(mission::FailsafeWatch when) const {
+  return std::ranges::any_of(
+      rows_, [&](const mission::Failsafe& row) { return mission::info(row.condition).watch == when; });
 }
 
 std::uint16_t Failsafes::rows_of(std::string_view type) const {
@@ -143,6 +155,10 @@ bool Failsafes::holds(std::size_t row, const Situation& situation, const percept
       return state.makes_no_way;
     case FailsafeCondition::kLinkLost:
       return situation.silence > 0.0;
+    case FailsafeCondition::kPerceptsStale:
+      return situation.percept_age > 0.0;
+    case FailsafeCondition::kOperatorAbsent:
+      return situation.lacks_operator;
   }
   return false;
 }
@@ -191,10 +207,8 @@ std::uint16_t Failsafes::newly_met(const Situation& situation, const percept::Ac
   state.makes_no_way = makes_no_way(situation, wanted, state);
   for_each_own(situation.rows, [&](std::size_t i) {
     const bool is_true = holds(i, situation, wanted, dt, state);
-    const double before = state.held[i];
-    state.held[i] = !is_true                                             ? 0.0
-                    : rows_[i].condition == FailsafeCondition::kLinkLost ? situation.silence
-                                                                         : before + dt;
+    const double lasted = known_to_last(rows_[i].condition, situation).value_or(state.held[i] + dt);
+    state.held[i] = is_true ? lasted : 0.0;
     const bool is_met = is_true && state.held[i] >= rows_[i].seconds;
     if (is_met && !state.is_met[i]) out |= 1U << i;
     state.is_met[i] = is_met;

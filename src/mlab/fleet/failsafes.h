@@ -29,6 +29,8 @@ struct Situation {
   bool is_in_contact = false;                 ///< its body touches something
   const binding::Passage* passage = nullptr;  ///< what is in its way before a fence; not null
   double silence = 0.0;                       ///< so long nothing has been heard of its program [s]
+  double percept_age = 0.0;                   ///< so old is what its action answers [s]; 0: it is in time
+  bool lacks_operator = false;                ///< it is under teleoperation, and nobody holds the stick
   std::uint32_t order = 0;                    ///< number of the order that it carries out
   bool is_steered = false;                    ///< a person steers it
   /// What it senses around it; only a robot that returns has to know.
@@ -54,7 +56,7 @@ struct FailsafeState {
 struct RowStanding {
   enum class State : std::uint8_t {
     kOthers,     ///< it is no row of this robot's
-    kOff,        ///< nobody looks at it: the robot does not run, or its program can't be silent
+    kOff,        ///< nobody looks at it: the robot does not run, is waited for, or under no teleoperation
     kArmed,      ///< it is looked at, and far from being met
     kNear,       ///< half of what it takes, or more
     kWaiting,    ///< met while a row of higher rank acted
@@ -80,6 +82,8 @@ class Failsafes {
   explicit Failsafes(std::span<const mission::Failsafe> rows);
   bool empty() const { return rows_.empty(); }
   const std::vector<mission::Failsafe>& rows() const { return rows_; }
+  /// Whether the table has a row that can only come true then.
+  bool watches(mission::FailsafeWatch when) const;
 
   /// The rows of a type of robots, a bit for each.
   std::uint16_t rows_of(std::string_view type) const;

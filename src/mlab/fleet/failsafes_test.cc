@@ -98,6 +98,32 @@ TEST(Failsafes, OfSeveralTheHighestRankActs) {
   EXPECT_FALSE(robot.step().is_over) << "it goes home all the same";
 }
 
+TEST(Failsafes, HoldWhoActsOnPerceptsThatAreTooOldUntilTheyAreNot) {
+  Robot robot({row(FailsafeCondition::kPerceptsStale, FailsafeAction::kHold, 0.5)});
+  robot.situation.percept_age = 0.4;
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(robot.step().triggered) << "late, and always as much";
+  robot.situation.percept_age = 0.6;
+  EXPECT_EQ(robot.step().triggered, 0U) << "they are as old as they are, however long one looks";
+  EXPECT_FALSE(robot.action.drives);
+  robot.situation.percept_age = 0.0;
+  EXPECT_TRUE(robot.step().is_over);
+}
+
+TEST(Failsafes, HoldWhomNobodySteersUntilSomebodyTakesTheStick) {
+  Robot robot({row(FailsafeCondition::kOperatorAbsent, FailsafeAction::kReturn, 0.25)});
+  robot.situation.home = {50, 0};
+  robot.situation.lacks_operator = true;
+  EXPECT_FALSE(robot.step().triggered);
+  EXPECT_FALSE(robot.step().triggered);
+  EXPECT_EQ(robot.step().triggered, 0U);
+  EXPECT_LT(robot.action.velocity.y, 0.0) << "home";
+  robot.situation.lacks_operator = false;
+  EXPECT_FALSE(robot.step().is_over) << "the stick is held in its middle";
+  robot.situation.is_steered = true;
+  EXPECT_TRUE(robot.step().is_over);
+  EXPECT_EQ(robot.action.velocity, (geom::Vector{1.0, 0.0, 0.0}));
+}
+
 TEST(Failsafes, OfOtherRobotsAreNotTheirs) {
   Failsafe of_scouts = row(FailsafeCondition::kInContact, FailsafeAction::kStop);
   of_scouts.types = {"scout"};

@@ -232,7 +232,20 @@ void Fleet::stop(base::RobotId id) {
 }
 
 void Fleet::set_joystick(base::RobotId id, const percept::Joystick& joystick) {
-  if (const FleetRobot* found = find(id)) robots_[index_of(*found)].joystick = joystick;
+  const FleetRobot* found = find(id);
+  if (found == nullptr) return;
+  FleetRobot& robot = robots_[index_of(*found)];
+  robot.joystick = joystick;
+  robot.is_stick_held = true;
+}
+
+void Fleet::let_go_of_stick(base::RobotId id) {
+  set_joystick(id, {});
+  if (const FleetRobot* found = find(id)) robots_[index_of(*found)].is_stick_held = false;
+}
+
+void Fleet::set_teleoperated(std::span<const base::RobotId> robots) {
+  for (FleetRobot& robot : robots_) robot.is_teleoperated = std::ranges::binary_search(robots, robot.id);
 }
 
 const Group* Fleet::group(const FleetRobot& robot) const {

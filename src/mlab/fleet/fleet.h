@@ -66,6 +66,8 @@ struct FleetRobot {
   std::uint32_t rank = 0;
   percept::Action action;  ///< of the last cycle
   percept::Joystick joystick;
+  bool is_teleoperated = false;              ///< an operator is to steer it
+  bool is_stick_held = false;                ///< and somebody has the stick in his hand, wherever that points
   std::vector<std::uint64_t> notifications;  ///< its inbox, ascending
   std::uint32_t team = 0;                    ///< robots of the same number are one team
   geom::Pose start;
@@ -112,7 +114,12 @@ class Fleet {
   void order(const mission::effect::Order& order);
   /// Ends the robot's program; its body keeps standing.
   void stop(base::RobotId robot);
+  /// Somebody holds the stick, which may be in its middle.
   void set_joystick(base::RobotId robot, const percept::Joystick& joystick);
+  /// Nobody holds it.
+  void let_go_of_stick(base::RobotId robot);
+  /// Whom an operator is to steer from now on, and nobody else; ascending.
+  void set_teleoperated(std::span<const base::RobotId> robots);
 
   /// @errors  a sentence that says what is wrong
   std::optional<std::string> set_parameter(base::RobotId robot, std::string_view port,

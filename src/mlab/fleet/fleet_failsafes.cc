@@ -65,6 +65,8 @@ Situation Fleet::situation(const FleetRobot& robot) const {
   const Seen& seen = seen_[index_of(robot)];
   out.is_in_contact = seen.touches;
   out.silence = robot.runner->silence(robot.member);
+  out.percept_age = robot.runner->percept_age(robot.member);
+  out.lacks_operator = robot.is_teleoperated && !robot.is_stick_held;
   out.order = robot.group == FleetRobot::kNoGroup ? 0 : groups_[robot.group].order.sequence;
   out.is_steered = robot.joystick.magnitude > 0.0;
   out.obstacles = seen.obstacles;
@@ -92,11 +94,14 @@ std::vector<RowStanding> Fleet::standings(const FleetRobot& robot, double dt) co
   const Situation now = situation(robot);
   const bool is_guarded = robot.life == RobotLife::kRunning ||
                           (robot.life == RobotLife::kFaulted && failsafes_.drives(robot.failsafe));
-  const bool may_be_silent = robot.runner != nullptr && robot.runner->punctuality() != nullptr;
+  const bool is_in_real_time = robot.runner != nullptr && robot.runner->punctuality() != nullptr;
+  const auto may_come = [&](mission::FailsafeWatch watch) {
+    return watch == mission::FailsafeWatch::kRunning ||
+           (watch == mission::FailsafeWatch::kRealTime ? is_in_real_time : robot.is_teleoperated);
+  };
   for (std::size_t i = 0; i < failsafes_.rows().size(); ++i) {
     RowStanding& row = out.emplace_back(failsafes_.standing(i, now, robot.action, dt, robot.failsafe));
-    const bool is_link = failsafes_.rows()[i].condition == mission::FailsafeCondition::kLinkLost;
-    const bool is_looked_at = is_guarded && (!is_link || may_be_silent);
+    const bool is_looked_at = is_guarded && may_come(mission::info(failsafes_.rows()[i].condition).watch);
     if (!is_looked_at && row.state != State::kOthers && row.state != State::kActive)
       row = {.state = State::kOff};
   }

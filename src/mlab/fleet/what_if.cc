@@ -28,11 +28,10 @@ bool is_within(double value, double low, double high) {
 }
 
 std::optional<std::string> why_not(const Failsafes& failsafes, const Situation& robot, const WhatIf& asked) {
-  const std::pair<const char*, double> lengths[] = {
-      {"LINK-LOST", asked.link_lost}, {"IN-CONTACT", asked.in_contact}, {"STUCK", asked.stuck}};
-  for (const auto& [word, seconds] : lengths) {
-    if (!is_within(seconds, 0.0, WhatIf::kMostSeconds))
-      return fmt::format("{} lasts from 0 to {:g} s", word, WhatIf::kMostSeconds);
+  for (const mission::FailsafeConditionInfo& one : mission::kFailsafeConditions) {
+    if (!is_within(asked.lasts(one.condition), 0.0, one.may_last ? WhatIf::kMostSeconds : 0.0))
+      return one.may_last ? fmt::format("{} lasts from 0 to {:g} s", one.word, WhatIf::kMostSeconds)
+                          : fmt::format("{} does not last: it is tried at a line", one.word);
   }
   if (!is_within(asked.speed, 0.0, WhatIf::kMostSpeed))
     return fmt::format("the speed is a number from 0 to {:g} m/s", WhatIf::kMostSpeed);
@@ -44,7 +43,7 @@ std::optional<std::string> why_not(const Failsafes& failsafes, const Situation& 
   if ((robot.rows >> row & 1U) == 0) return fmt::format("row {} of the table is not this robot's", row + 1);
   if (!is_within(asked.fence->depth, -WhatIf::kMostDepth, WhatIf::kMostDepth))
     return fmt::format("the distance from the line is a number from -{0:g} to {0:g} m", WhatIf::kMostDepth);
-  if (!is_within(asked.fence->bearing, -2.0 * std::numbers::pi, 2.0 * std::numbers::pi))
+  if (!is_within(asked.fence->bearing, -WhatIf::kMostBearing, WhatIf::kMostBearing))
     return "the heading is an angle of at most a full turn";
   return std::nullopt;
 }
@@ -80,16 +79,17 @@ class Trial {
     now_.passage = &nothing_;
     now_.obstacles = {};
     now_.others = {};
-    now_.silence = 0.0;
+    now_.silence = now_.percept_age = 0.0;
     now_.order = 0;
-    now_.is_steered = now_.is_in_contact = false;
+    now_.is_steered = now_.is_in_contact = now_.lacks_operator = false;
     out_.most_used.resize(failsafes.rows().size());
   }
 
   WhatIfOutcome run(const geom::Pose& from) {
     begin(from);
-    const std::size_t last =
-        std::max({cycles(asked_.link_lost), cycles(asked_.in_contact), cycles_stuck()}) + cycles(kAfterwards);
+    std::size_t last = cycles_stuck();
+    for (const double seconds : asked_.lasting) last = std::max(last, cycles(seconds));
+    last += cycles(kAfterwards);
     const std::size_t settled =
         last + cycles(WhatIf::kMostSettling + seconds_to_fence() + seconds_until_stuck());
     double work = 0.0;
@@ -115,8 +115,19 @@ class Trial {
     return whole < static_cast<double>(WhatIf::kMostCycles) ? static_cast<std::size_t>(whole)
                                                             : WhatIf::kMostCycles + 1;
   }
+  bool lasts_in(std::size_t cycle, FailsafeCondition condition) const {
+    return cycle < cycles(asked_.lasts(condition));
+  }
+  // How long it has been so in this cycle, of what is measured by a clock [s].
+  double age(std::size_t cycle, FailsafeCondition condition) const {
+    const double time = static_cast<double>(cycle + 1) * dt_;
+    return lasts_in(cycle, condition) ? std::min(time, asked_.lasts(condition)) : 0.0;
+  }
   // In the first of them it is seen where it is.
-  std::size_t cycles_stuck() const { return asked_.stuck > 0.0 ? cycles(asked_.stuck) + 1 : 0; }
+  std::size_t cycles_stuck() const {
+    const double seconds = asked_.lasts(FailsafeCondition::kStuck);
+    return seconds > 0.0 ? cycles(seconds) + 1 : 0;
+  }
   double room() const {
     return failsafes_.fence(asked_.fence->row).depth(now_.motion.pose.position) - now_.radius;
   }
@@ -130,7 +141,7 @@ class Trial {
   void begin(const geom::Pose& from) {
     now_.motion = {from, {}};
     const double limit = now_.kinematics->max_speed;
-    const double speed = asked_.stuck > 0.0 ? 0.0
+    const double speed = cycles_stuck() > 0 ? 0.0
                          : limit > 0.0      ? std::min(asked_.speed, limit)
                                             : asked_.speed;
     now_.motion.momentum.velocity = Offset{std::cos(from.heading), std::sin(from.heading)} * speed;
@@ -142,7 +153,7 @@ class Trial {
 
   percept::Action wanted() const {
     percept::Action out;
-    if (out_.has_stopped || now_.silence > 0.0) return out;
+    if (out_.has_stopped || now_.silence > 0.0 || now_.lacks_operator) return out;
     out.drives = true;
     out.velocity = {asked_.speed, 0.0, 0.0};
     return out;
@@ -150,9 +161,12 @@ class Trial {
 
   void step(std::size_t i) {
     const double time = static_cast<double>(i + 1) * dt_;
-    const double age = i < cycles(asked_.link_lost) ? std::min(time, asked_.link_lost) : 0.0;
-    now_.silence = age > robot::kActionPatience ? age : 0.0;
-    now_.is_in_contact = i < cycles(asked_.in_contact);
+    const double silence = age(i, FailsafeCondition::kLinkLost);
+    now_.silence = silence > robot::kActionPatience ? silence : 0.0;
+    now_.percept_age = age(i, FailsafeCondition::kPerceptsStale);
+    now_.is_in_contact = lasts_in(i, FailsafeCondition::kInContact);
+    now_.lacks_operator = lasts_in(i, FailsafeCondition::kOperatorAbsent);
+    now_.is_steered = !now_.lacks_operator && asked_.lasts(FailsafeCondition::kOperatorAbsent) > 0.0;
     action_ = wanted();
     if (!out_.has_stopped) guard(time);
     if (i < cycles_stuck())

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,10 +17,10 @@ namespace mlab::fleet {
 /// What somebody wants to know of a robot's failsafes: what if this were so? All of it begins at the same
 /// moment, while the robot drives ahead and its program wants to go on like that.
 struct WhatIf {
-  double link_lost = 0.0;   ///< for so long nothing is heard of its program [s]; 0: it is heard
-  double in_contact = 0.0;  ///< for so long its body touches something [s]; 0: it doesn't
-  double stuck = 0.0;       ///< for so long it comes no further [s]; 0: it does
-  double speed = 1.0;       ///< with which it drives, as far as its body can, and wants to go on [m/s], >= 0
+  /// By condition, of those that have an AFTER: for so long it is so [s]; 0: it isn't.
+  using Lasting = std::array<double, mission::kFailsafeConditions.size()>;
+  Lasting lasting{};
+  double speed = 1.0;  ///< with which it drives, as far as its body can, and wants to go on [m/s], >= 0
   /// It is near to a fence; else it is where it is.
   struct AtFence {
     std::size_t row = 0;        ///< of the table; OUTSIDE
@@ -28,9 +30,14 @@ struct WhatIf {
   };
   std::optional<AtFence> fence = std::nullopt;
 
-  static constexpr double kMostSeconds = 600.0;  ///< of each condition
-  static constexpr double kMostSpeed = 50.0;     ///< [m/s]
-  static constexpr double kMostDepth = 1000.0;   ///< to either side [m]
+  double lasts(mission::FailsafeCondition condition) const {
+    return lasting[static_cast<std::size_t>(condition)];
+  }
+
+  static constexpr double kMostSeconds = 600.0;                   ///< of each condition
+  static constexpr double kMostSpeed = 50.0;                      ///< [m/s]
+  static constexpr double kMostDepth = 1000.0;                    ///< to either side [m]
+  static constexpr double kMostBearing = 2.0 * std::numbers::pi;  ///< to either side [rad]
   static constexpr double kMostSettling = 60.0;  ///< so long it is watched afterwards, and to a fence [s]
   static constexpr std::size_t kMostCycles = 20'000;
 };

@@ -16,6 +16,7 @@ namespace {
 using mission::Failsafe;
 using mission::FailsafeAction;
 using mission::FailsafeCondition;
+using testing::lasting;
 using testing::row;
 using State = RowStanding::State;
 using What = WhatIfEvent::What;
@@ -91,16 +92,22 @@ TEST(WhatIf, ARowIsMetWhenItsConditionLastsForAsLongAsItSays) {
     Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold, seconds),
                  row(FailsafeCondition::kLinkLost, FailsafeAction::kContinue, std::max(seconds, 0.6)),
                  row(FailsafeCondition::kStuck, FailsafeAction::kContinue, seconds)});
-    EXPECT_NEAR(when(robot.of({.in_contact = seconds}), 0, What::kMet), seconds, 0.11) << seconds;
-    EXPECT_NEAR(when(robot.of({.link_lost = std::max(seconds, 0.6)}), 1, What::kMet), std::max(seconds, 0.6),
-                0.11);
-    EXPECT_NEAR(when(robot.of({.stuck = seconds}), 2, What::kMet), seconds, 0.21) << seconds;
+    EXPECT_NEAR(
+        when(robot.of({.lasting = lasting({{FailsafeCondition::kInContact, seconds}})}), 0, What::kMet),
+        seconds, 0.11)
+        << seconds;
+    EXPECT_NEAR(when(robot.of({.lasting = lasting({{FailsafeCondition::kLinkLost, std::max(seconds, 0.6)}})}),
+                     1, What::kMet),
+                std::max(seconds, 0.6), 0.11);
+    EXPECT_NEAR(when(robot.of({.lasting = lasting({{FailsafeCondition::kStuck, seconds}})}), 2, What::kMet),
+                seconds, 0.21)
+        << seconds;
   }
 }
 
 TEST(WhatIf, WhatDoesNotLastForLongEnoughIsTold) {
   Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold, 2.0)});
-  const WhatIfOutcome outcome = robot.of({.in_contact = 1.0});
+  const WhatIfOutcome outcome = robot.of({.lasting = lasting({{FailsafeCondition::kInContact, 1.0}})});
   EXPECT_LT(when(outcome, 0, What::kMet), 0.0);
   EXPECT_NEAR(outcome.most_used[0], 0.55, 0.051);
 }
@@ -108,7 +115,8 @@ TEST(WhatIf, WhatDoesNotLastForLongEnoughIsTold) {
 TEST(WhatIf, OfSeveralTheHighestRankActsAndTheOtherGivesWay) {
   Tried robot({row(FailsafeCondition::kLinkLost, FailsafeAction::kReturn, 5.0),
                row(FailsafeCondition::kInContact, FailsafeAction::kHold, 0.5)});
-  const WhatIfOutcome outcome = robot.of({.link_lost = 8.0, .in_contact = 8.0});
+  const WhatIfOutcome outcome = robot.of(
+      {.lasting = lasting({{FailsafeCondition::kLinkLost, 8.0}, {FailsafeCondition::kInContact, 8.0}})});
   EXPECT_NEAR(when(outcome, 1, What::kActs), 0.5, 0.01);
   EXPECT_NEAR(when(outcome, 0, What::kActs), 5.0, 0.01);
   EXPECT_NEAR(when(outcome, 1, What::kGivesWay), 5.0, 0.01);
@@ -119,14 +127,31 @@ TEST(WhatIf, OfSeveralTheHighestRankActsAndTheOtherGivesWay) {
 
 TEST(WhatIf, ARobotWhoseLinkIsLostStandsByItself) {
   Tried robot({row(FailsafeCondition::kLinkLost, FailsafeAction::kReturn, 5.0)});
-  const WhatIfOutcome outcome = robot.of({.link_lost = 3.0});
+  const WhatIfOutcome outcome = robot.of({.lasting = lasting({{FailsafeCondition::kLinkLost, 3.0}})});
   EXPECT_LT(when(outcome, 0, What::kMet), 0.0);
   EXPECT_NEAR(outcome.to.position.x, 51.6, 0.2) << "after half a second, until it is heard again";
 }
 
+TEST(WhatIf, ARobotThatActsOnOldPerceptsIsHeldWhenTheyAreTooOld) {
+  Tried robot({row(FailsafeCondition::kPerceptsStale, FailsafeAction::kHold, 2.0)});
+  const WhatIfOutcome outcome = robot.of({.lasting = lasting({{FailsafeCondition::kPerceptsStale, 3.0}})});
+  EXPECT_NEAR(when(outcome, 0, What::kActs), 2.0, 0.11);
+  EXPECT_NEAR(outcome.events.front().time, outcome.stood.value_or(2.0), 0.2);
+  EXPECT_NEAR(when(outcome, 0, What::kIsOver), 3.1, 0.11);
+}
+
+TEST(WhatIf, ARobotWhoseOperatorIsGoneGoesHomeUntilHeIsBack) {
+  Tried robot({row(FailsafeCondition::kOperatorAbsent, FailsafeAction::kReturn, 2.0)});
+  const WhatIfOutcome outcome = robot.of({.lasting = lasting({{FailsafeCondition::kOperatorAbsent, 6.0}})});
+  EXPECT_NEAR(when(outcome, 0, What::kActs), 2.0, 0.11);
+  EXPECT_NEAR(when(outcome, 0, What::kIsOver), 6.2, 0.11) << "somebody steers it";
+  const WhatIfOutcome brief = robot.of({.lasting = lasting({{FailsafeCondition::kOperatorAbsent, 1.0}})});
+  EXPECT_LT(when(brief, 0, What::kMet), 0.0);
+}
+
 TEST(WhatIf, AHeldRobotGoesOnWhenWhatWasWrongIsOver) {
   Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold)});
-  const WhatIfOutcome outcome = robot.of({.in_contact = 2.0});
+  const WhatIfOutcome outcome = robot.of({.lasting = lasting({{FailsafeCondition::kInContact, 2.0}})});
   EXPECT_NEAR(when(outcome, 0, What::kActs), 0.1, 0.01);
   EXPECT_NEAR(when(outcome, 0, What::kIsOver), 2.2, 0.11);
 }
@@ -134,7 +159,8 @@ TEST(WhatIf, AHeldRobotGoesOnWhenWhatWasWrongIsOver) {
 TEST(WhatIf, AStoppedRobotBrakesAndNothingGuardsItAnyMore) {
   Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kStop)});
   robot.kinematics.max_acceleration = 1.0;
-  const WhatIfOutcome outcome = robot.of({.in_contact = 5.0, .speed = 2.0});
+  const WhatIfOutcome outcome =
+      robot.of({.lasting = lasting({{FailsafeCondition::kInContact, 5.0}}), .speed = 2.0});
   EXPECT_TRUE(outcome.has_stopped);
   EXPECT_NEAR(outcome.to.position.x, 52.0, 0.3) << "v^2 / 2a";
   EXPECT_NEAR(outcome.stood.value_or(0.0), 2.0, 0.2);
@@ -187,9 +213,13 @@ TEST(WhatIf, WhatCantBeTriedIsRefusedWithWhatIsExpected) {
     const auto out = robot.asked(asked);
     return out ? std::string() : out.error();
   };
-  EXPECT_EQ(error({.link_lost = kNaN}), "LINK-LOST lasts from 0 to 600 s");
-  EXPECT_EQ(error({.in_contact = -1.0}), "IN-CONTACT lasts from 0 to 600 s");
-  EXPECT_EQ(error({.stuck = 601.0}), "STUCK lasts from 0 to 600 s");
+  EXPECT_EQ(error({.lasting = lasting({{FailsafeCondition::kLinkLost, kNaN}})}),
+            "LINK-LOST lasts from 0 to 600 s");
+  EXPECT_EQ(error({.lasting = lasting({{FailsafeCondition::kInContact, -1.0}})}),
+            "IN-CONTACT lasts from 0 to 600 s");
+  EXPECT_EQ(error({.lasting = lasting({{FailsafeCondition::kStuck, 601.0}})}), "STUCK lasts from 0 to 600 s");
+  EXPECT_EQ(error({.lasting = lasting({{FailsafeCondition::kOutside, 1.0}})}),
+            "OUTSIDE does not last: it is tried at a line");
   EXPECT_EQ(error({.speed = std::numeric_limits<double>::infinity()}),
             "the speed is a number from 0 to 50 m/s");
   EXPECT_EQ(error({.fence = WhatIf::AtFence{.row = 1}}), "row 2 of the table is no OUTSIDE");
@@ -212,19 +242,22 @@ TEST(WhatIf, WhatWouldBeTooMuchWorkIsCut) {
     fence.fence.push_back({50 + 40 * std::cos(angle), 30 + 40 * std::sin(angle)});
   }
   Tried robot({fence});
-  const WhatIfOutcome many_sides = robot.of({.link_lost = 600.0, .fence = WhatIf::AtFence{.depth = 1.0}});
+  const WhatIfOutcome many_sides = robot.of(
+      {.lasting = lasting({{FailsafeCondition::kLinkLost, 600.0}}), .fence = WhatIf::AtFence{.depth = 1.0}});
   EXPECT_TRUE(many_sides.is_cut);
   EXPECT_LT(many_sides.seconds, 600.0);
   Tried hardly_brakes(std::vector(16, row(FailsafeCondition::kOutside, FailsafeAction::kReverseInside)));
   hardly_brakes.kinematics = {
       .drive = binding::Drive::kCar, .max_acceleration = 5e-4, .max_turn_acceleration = 0.01};
-  const auto small_steps = hardly_brakes.asked(
-      {.link_lost = 600.0, .speed = 0.5, .fence = WhatIf::AtFence{.depth = 1.0, .bearing = 1.5}}, 0.001);
+  const auto small_steps = hardly_brakes.asked({.lasting = lasting({{FailsafeCondition::kLinkLost, 600.0}}),
+                                                .speed = 0.5,
+                                                .fence = WhatIf::AtFence{.depth = 1.0, .bearing = 1.5}},
+                                               0.001);
   ASSERT_TRUE(small_steps);
   EXPECT_TRUE(small_steps->is_cut);
   EXPECT_LT(small_steps->seconds, 1.0);
   Tried quick({row(FailsafeCondition::kStuck, FailsafeAction::kHold, 2.0)});
-  const auto short_cycles = quick.asked({.stuck = 600.0}, 0.001);
+  const auto short_cycles = quick.asked({.lasting = lasting({{FailsafeCondition::kStuck, 600.0}})}, 0.001);
   ASSERT_TRUE(short_cycles);
   EXPECT_TRUE(short_cycles->is_cut);
   EXPECT_NEAR(short_cycles->seconds, 20.0, 1e-6);
@@ -241,9 +274,9 @@ RC_GTEST_PROP(WhatIf, EndsInFiniteNumbersWhateverIsAsked, (const std::vector<int
   robot.kinematics.drive = static_cast<binding::Drive>(bits.size() % 4);
   robot.kinematics.axle = 0.4;
   robot.kinematics.max_acceleration = some(0, 4.0);
-  WhatIf asked = {.link_lost = some(1, 20.0),
-                  .in_contact = some(2, 20.0),
-                  .stuck = some(3, 20.0),
+  WhatIf asked = {.lasting = lasting({{FailsafeCondition::kLinkLost, some(1, 20.0)},
+                                      {FailsafeCondition::kInContact, some(2, 20.0)},
+                                      {FailsafeCondition::kStuck, some(3, 20.0)}}),
                   .speed = some(4, 50.0)};
   if (bits.size() > 5)
     asked.fence = WhatIf::AtFence{

@@ -15,9 +15,19 @@
 namespace mlab::mission {
 
 /// What a failsafe looks for, below all that a robot's program says.
-enum class FailsafeCondition : std::uint8_t { kOutside, kInContact, kStuck, kLinkLost };
+enum class FailsafeCondition : std::uint8_t {
+  kOutside,
+  kInContact,
+  kStuck,
+  kLinkLost,
+  kPerceptsStale,
+  kOperatorAbsent,
+};
 /// What becomes of the robot then.
 enum class FailsafeAction : std::uint8_t { kHold, kStop, kReturn, kContinue, kReverseInside };
+
+/// When a condition is looked at: it can't come true otherwise.
+enum class FailsafeWatch : std::uint8_t { kRunning, kRealTime, kTeleoperated };
 
 /// All that is to be known of a condition. Parser, printer, checks, completion and the documentation take it
 /// from here.
@@ -27,7 +37,8 @@ struct FailsafeConditionInfo {
   bool has_fence = false;        ///< a closed line of the overlay stands behind it
   bool may_last = false;         ///< AFTER says for how long it has to hold
   double default_seconds = 0.0;  ///< without AFTER [s]
-  std::string_view help;         ///< what editors say of the word, and the documentation
+  FailsafeWatch watch = FailsafeWatch::kRunning;
+  std::string_view help;  ///< what editors say of the word, and the documentation
 };
 inline constexpr std::array kFailsafeConditions = {
     FailsafeConditionInfo{.condition = FailsafeCondition::kOutside,
@@ -49,8 +60,25 @@ inline constexpr std::array kFailsafeConditions = {
                           .word = "LINK-LOST",
                           .may_last = true,
                           .default_seconds = 5.0,
+                          .watch = FailsafeWatch::kRealTime,
                           .help = "with --real-time: nothing is heard of the program that a machine of the "
                                   "fleet computes for it. It stands after half a second in any case"},
+    FailsafeConditionInfo{.condition = FailsafeCondition::kPerceptsStale,
+                          .word = "PERCEPTS-STALE",
+                          .may_last = true,
+                          .default_seconds = 1.0,
+                          .watch = FailsafeWatch::kRealTime,
+                          .help = "with --real-time: what it does answers percepts that are so old, because "
+                                  "they or its answers are long on their way, or don't arrive. Its program "
+                                  "acts on none that came more than half a second ago in any case"},
+    FailsafeConditionInfo{.condition = FailsafeCondition::kOperatorAbsent,
+                          .word = "OPERATOR-ABSENT",
+                          .may_last = true,
+                          .default_seconds = 10.0,
+                          .watch = FailsafeWatch::kTeleoperated,
+                          .help = "under teleoperation: nobody holds the stick, because he let go of it, his "
+                                  "console is gone, or nothing comes from there. The stick counts as let go "
+                                  "half a second after its last message in any case"},
 };
 static_assert(base::has_a_row_for_each<kFailsafeConditions, &FailsafeConditionInfo::condition>());
 

@@ -160,6 +160,7 @@ MissionRun::Progress MissionRun::step() {
     return Progress::kWaits;
   ++cycle_;
   change_environment();
+  note_teleoperated();
   fleet_->step(dt_);
   if (!forced_.empty()) tell_not_forced();
   tell_faults();
@@ -213,6 +214,18 @@ MissionRun::Progress MissionRun::brake() {
   ++cycle_;
   fleet_->brake(dt_);
   return Progress::kStepped;
+}
+
+// Whom an operator is to steer now: his absence counts for nobody else.
+void MissionRun::note_teleoperated() {
+  if (!fleet_->failsafes().watches(mission::FailsafeWatch::kTeleoperated)) return;
+  teleoperated_.clear();
+  for (const mission::Run& command : state_.runs) {
+    if (command.phase == mission::Run::Phase::kTeleoperation)
+      teleoperated_.insert(teleoperated_.end(), command.needed.begin(), command.needed.end());
+  }
+  std::ranges::sort(teleoperated_);
+  fleet_->set_teleoperated(teleoperated_);
 }
 
 void MissionRun::change_environment() {

@@ -165,6 +165,7 @@ class MissionRun {
   void set_joystick(base::RobotId robot, const percept::Joystick& joystick) {
     fleet_->set_joystick(robot, joystick);
   }
+  void let_go_of_stick(base::RobotId robot) { fleet_->let_go_of_stick(robot); }
   /// Sets a parameter or constant of one robot's program, from the next cycle on; it outlives a new START.
   /// @param value  as a person writes it, in the port's edge_unit; a Point may be the name of a place
   /// @errors  a sentence that says what is wrong
@@ -236,6 +237,7 @@ class MissionRun {
   void drop_unused_crews();
   void apply(const mission::Effect& effect);
   void start_robot(const mission::effect::Start& start);
+  void note_teleoperated();
   void change_environment();
   void happen(const overlay::EnvironmentEvent& event, std::uint64_t execution);
   void measure();
@@ -268,6 +270,7 @@ class MissionRun {
   std::vector<base::RobotId> forced_;  // in the coming cycle, ascending
   std::vector<Delivery> deliveries_;
   std::vector<FailsafeRecord> failsafes_;
+  std::vector<base::RobotId> teleoperated_;
   std::vector<base::RobotId> carriers_;  // by object id: who carries it; none as well once it was delivered
   bool is_stopped_ = false;
   bool has_braked_ = false;  // for at least one cycle of this stop

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/fleet/testing/failsafe_row.h"
 #include "mlab/fleet/what_if.h"
 #include "mlab/mission/mission.h"
 #include "mlab/run/mission_run.h"
@@ -14,6 +15,7 @@
 namespace mlab::run {
 namespace {
 
+using fleet::testing::lasting;
 using mission::FailsafeAction;
 using mission::FailsafeCondition;
 
@@ -191,7 +193,8 @@ TEST(WhatIfOfARun, ForetellsWhereARobotStandsBeforeItsFence) {
 
 TEST(WhatIfOfARun, ForetellsWhenAStuckRobotIsNoticed) {
   Drive drive({row(FailsafeCondition::kStuck, FailsafeAction::kStop, 3.0)}, true, 39.79);
-  const fleet::WhatIfOutcome foretold = drive.what_if({.stuck = 10.0, .speed = 4.0});
+  const fleet::WhatIfOutcome foretold =
+      drive.what_if({.lasting = lasting({{FailsafeCondition::kStuck, 10.0}}), .speed = 4.0});
   drive.step_until([&] { return drive.robot().failsafe.has_begun; });
   const int cycles = 1 + drive.step_until([&] { return drive.acts(); });
   EXPECT_NEAR(when_it_acts(foretold), cycles * 0.1, 1e-6);
@@ -203,7 +206,9 @@ TEST(WhatIfOfARun, ForetellsWhichOfTwoRowsActsAtAWall) {
   Drive drive({row(FailsafeCondition::kStuck, FailsafeAction::kReturn, 3.0),
                row(FailsafeCondition::kInContact, FailsafeAction::kContinue, 1.0)},
               true, 39.79);
-  const fleet::WhatIfOutcome foretold = drive.what_if({.in_contact = 3.3, .stuck = 3.3, .speed = 4.0});
+  const fleet::WhatIfOutcome foretold = drive.what_if(
+      {.lasting = lasting({{FailsafeCondition::kInContact, 3.3}, {FailsafeCondition::kStuck, 3.3}}),
+       .speed = 4.0});
   drive.go(4.5);
   std::vector<std::string> acts;
   for (const fleet::WhatIfEvent& event : foretold.events) {
@@ -222,7 +227,8 @@ TEST(WhatIfOfARun, LeavesTheRunAsItIs) {
   for (int i = 0; i < 200; ++i) {
     one.run->step();
     other.run->step();
-    one.what_if({.link_lost = 3.0, .stuck = 1.0});
+    one.what_if(
+        {.lasting = lasting({{FailsafeCondition::kLinkLost, 3.0}, {FailsafeCondition::kStuck, 1.0}})});
     ASSERT_EQ(one.run->fleet().pose(one.robot()), other.run->fleet().pose(other.robot()));
   }
   EXPECT_EQ(one.told, other.told);

@@ -2,6 +2,7 @@
 import type { MessageInitShape } from "@bufbuild/protobuf";
 import {
   type FailsafeStandings,
+  type Failsafes_Bounds,
   type Failsafes_Row,
   FailsafeStandings_State as State,
   type TryFailsafesSchema,
@@ -10,17 +11,15 @@ import { readNumber } from "../../ui/words/read_number.ts";
 
 export type Order = MessageInitShape<typeof TryFailsafesSchema>;
 
-/** Conditions with a length, by the words of the table. */
-export type Lasting = "LINK-LOST" | "IN-CONTACT" | "STUCK";
-export const kLasting: readonly (readonly [Lasting, string])[] = [
-  ["LINK-LOST", "Link lost"],
-  ["IN-CONTACT", "In contact"],
-  ["STUCK", "Stuck"],
-];
+/** `Link lost`, of `LINK-LOST`. */
+export function labelOf(condition: string): string {
+  const words = condition.toLowerCase().replaceAll("-", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
 
 export interface Conditions<Amount = number> {
-  /** How long [s]; nothing: it isn't so. */
-  lasting: Partial<Record<Lasting, Amount>>;
+  /** How long, by the table's words for conditions that last [s]; those that aren't there aren't so. */
+  lasting: Readonly<Record<string, Amount>>;
   fence: AtFence<Amount> | null;
   speed: Amount; // [m/s]
 }
@@ -41,13 +40,25 @@ export interface Bounds {
   max: number;
 }
 
-/** As the server takes them. */
-export const kBounds = {
-  seconds: { min: 0, max: 600 },
-  speed: { min: 0, max: 50 },
-  distance: { min: 0, max: 1000 },
-  bearing: { min: -360, max: 360 },
-} satisfies Record<string, Bounds>;
+/** What the server takes, in the units in which it is typed. */
+export interface Limits {
+  seconds: Bounds;
+  speed: Bounds;
+  distance: Bounds;
+  bearing: Bounds;
+}
+
+/** Nothing, before the server has said what it takes. */
+export function limitsOf(told: Failsafes_Bounds | null): Limits {
+  const { seconds = 0, speed = 0, depth = 0, bearing = 0 } = told ?? {};
+  const turn = Math.round((bearing * 180) / Math.PI);
+  return {
+    seconds: { min: 0, max: seconds },
+    speed: { min: 0, max: speed },
+    distance: { min: 0, max: depth },
+    bearing: { min: -turn, max: turn },
+  };
+}
 
 /** A row that guards the robot, and its place in the table. */
 export interface OwnRow {
@@ -65,12 +76,12 @@ export function ownRows(rows: readonly Failsafes_Row[], standings: FailsafeStand
 }
 
 /** Where one begins: the highest row would be met. */
-export function firstDraft(own: readonly OwnRow[]): Draft {
+export function firstDraft(own: readonly OwnRow[], limits: Limits): Draft {
   const none: Draft = { lasting: {}, fence: null, speed: "1" };
   const [first] = own;
   if (!first) return none;
   if (first.row.fence !== "") return { ...none, fence: firstFence(own) };
-  return { ...none, lasting: { [first.row.condition]: firstSeconds(own, first.row.condition) } };
+  return { ...none, lasting: { [first.row.condition]: firstSeconds(own, first.row.condition, limits) } };
 }
 
 export function firstFence(own: readonly OwnRow[]): AtFence<string> | null {
@@ -79,14 +90,14 @@ export function firstFence(own: readonly OwnRow[]): AtFence<string> | null {
 }
 
 /** A second more than the longest row of this condition takes. */
-export function firstSeconds(own: readonly OwnRow[], condition: string): string {
+export function firstSeconds(own: readonly OwnRow[], condition: string, { seconds }: Limits): string {
   const longest = Math.max(0, ...own.filter(({ row }) => row.condition === condition).map(({ row }) => row.seconds));
-  return String(Math.min(kBounds.seconds.max, Math.ceil(longest) + 1));
+  return String(Math.min(seconds.max, Math.ceil(longest) + 1));
 }
 
 /** What can be asked of these rows. */
-export function askable(own: readonly OwnRow[]): readonly (readonly [Lasting, string])[] {
-  return kLasting.filter(([condition]) => own.some(({ row }) => row.condition === condition));
+export function askable(own: readonly OwnRow[]): readonly string[] {
+  return [...new Set(own.flatMap(({ row }) => (row.mayLast ? [row.condition] : [])))];
 }
 
 export function fences(own: readonly OwnRow[]): readonly (readonly [string, string])[] {
@@ -97,8 +108,8 @@ export function fences(own: readonly OwnRow[]): readonly (readonly [string, stri
 
 /** Of what was asked of another robot, what can be asked of this one. */
 export function fitted(draft: Draft, own: readonly OwnRow[]): Draft {
-  const lasting: Draft["lasting"] = {};
-  for (const [condition] of askable(own)) {
+  const lasting: Record<string, string> = {};
+  for (const condition of askable(own)) {
     const seconds = draft.lasting[condition];
     if (seconds !== undefined) lasting[condition] = seconds;
   }
@@ -109,35 +120,30 @@ export function fitted(draft: Draft, own: readonly OwnRow[]): Draft {
 }
 
 /** The names of those numbers that are none, or out of bounds. */
-export function wrongIn(draft: Draft): readonly string[] {
-  return amounts(draft).flatMap(([name, text, { min, max }]) =>
+export function wrongIn(draft: Draft, limits: Limits): readonly string[] {
+  return amounts(draft, limits).flatMap(([name, text, { min, max }]) =>
     readNumber(text, min, max).problem === undefined ? [] : [name],
   );
 }
 
-function amounts({ lasting, fence, speed }: Draft): readonly (readonly [string, string, Bounds])[] {
+function amounts({ lasting, fence, speed }: Draft, limits: Limits): readonly (readonly [string, string, Bounds])[] {
   return [
-    ...kLasting.flatMap(([condition, label]) => {
-      const text = lasting[condition];
-      return text === undefined ? [] : [[label, text, kBounds.seconds] as const];
-    }),
+    ...Object.entries(lasting).map(([condition, text]) => [labelOf(condition), text, limits.seconds] as const),
     ...(fence
-      ? [["Distance", fence.distance, kBounds.distance] as const, ["Heading", fence.bearing, kBounds.bearing] as const]
+      ? [["Distance", fence.distance, limits.distance] as const, ["Heading", fence.bearing, limits.bearing] as const]
       : []),
-    ["Speed", speed, kBounds.speed],
+    ["Speed", speed, limits.speed],
   ];
 }
 
 /** What is tried with the robot; nothing while a number is wrong. */
-export function orderOf(robot: number, draft: Draft): Order | undefined {
-  if (wrongIn(draft).length > 0) return undefined;
+export function orderOf(robot: number, draft: Draft, limits: Limits): Order | undefined {
+  if (wrongIn(draft, limits).length > 0) return undefined;
   const { lasting, fence, speed } = draft;
-  const amount = (text = "0") => readNumber(text).number;
+  const amount = (text: string) => readNumber(text).number;
   return {
     robot,
-    linkLost: amount(lasting["LINK-LOST"]),
-    inContact: amount(lasting["IN-CONTACT"]),
-    stuck: amount(lasting.STUCK),
+    lasting: Object.entries(lasting).map(([condition, text]) => ({ condition, seconds: amount(text) })),
     speed: amount(speed),
     ...(fence && {
       fence: {

@@ -5,6 +5,7 @@ import {
   FailsafesSchema,
   FailsafeTrialSchema,
   FailsafeStandings_State as State,
+  Failsafes_Row_Watch as Watch,
   FailsafeTrial_What as What,
 } from "../../core/protocol.ts";
 import {
@@ -15,6 +16,8 @@ import {
   firstFence,
   firstSeconds,
   fitted,
+  labelOf,
+  limitsOf,
   type OwnRow,
   orderOf,
   ownRows,
@@ -34,7 +37,8 @@ import {
 import { kept, keyOf, kNothingTried, kUnderWay } from "./trying.ts";
 import { doing, ending, lineText, moments, notMet, verdict } from "./what_if.ts";
 
-const { rows } = create(FailsafesSchema, {
+const { rows, bounds } = create(FailsafesSchema, {
+  bounds: { seconds: 600, speed: 50, depth: 1000, bearing: 2 * Math.PI },
   rows: [
     { statement: "FAILSAFE OUTSIDE Field HOLD", condition: "OUTSIDE", fence: "Field", action: "HOLD" },
     {
@@ -44,10 +48,12 @@ const { rows } = create(FailsafesSchema, {
       seconds: 5,
       action: "RETURN",
       does: "it drives home",
+      watch: Watch.REAL_TIME,
     },
     { statement: "FAILSAFE IN-CONTACT AFTER 0 HOLD", condition: "IN-CONTACT", mayLast: true, action: "HOLD" },
   ],
 });
+const limits = limitsOf(bounds ?? null);
 const [fence, link, contact] = rows as [(typeof rows)[0], (typeof rows)[0], (typeof rows)[0]];
 const standing = (state: State, used = 0, measure = 0) => ({ state, used, measure });
 const standings = (...states: State[]) => create(FailsafeStandingsSchema, { rows: states.map((one) => standing(one)) });
@@ -76,6 +82,8 @@ describe("how a row stands", () => {
     expect(standingText(link, first(State.OFF), false)).toBe("looked at in real time only");
     expect(standingText(link, first(State.OFF), true)).toBe("looked at while the robot runs");
     expect(standingText(fence, first(State.OFF), false)).toBe("looked at while the robot runs");
+    const steered = { ...link, watch: Watch.TELEOPERATED };
+    expect(standingText(steered, first(State.OFF), false)).toBe("looked at under teleoperation only");
   });
   it("says why it does not act though it is met", () => {
     expect(standingText(link, first(State.WAITING, 100, 60), true)).toBe("for 6 s, a row above it acts");
@@ -121,13 +129,14 @@ describe("what is asked of the table", () => {
   const own = (...some: OwnRow["row"][]) => some.map((row, index) => ({ index, row }));
   const at: NonNullable<Draft["fence"]> = { row: 0, side: "outside", distance: "2", bearing: "180", beginsThere: true };
   it("begins with what the first row is met by", () => {
-    expect(firstDraft(all).fence).toMatchObject({ row: 0, side: "inside" });
-    expect(firstDraft(own(link)).lasting).toEqual({ "LINK-LOST": "6" });
-    expect(firstDraft([]).lasting).toEqual({});
-    expect(firstSeconds(own(link, { ...link, seconds: 30.5 }), "LINK-LOST")).toBe("32");
+    expect(firstDraft(all, limits).fence).toMatchObject({ row: 0, side: "inside" });
+    expect(firstDraft(own(link), limits).lasting).toEqual({ "LINK-LOST": "6" });
+    expect(firstDraft([], limits).lasting).toEqual({});
+    expect(firstSeconds(own(link, { ...link, seconds: 30.5 }), "LINK-LOST", limits)).toBe("32");
   });
   it("is what the table has conditions for", () => {
-    expect(askable(all).map(([condition]) => condition)).toEqual(["LINK-LOST", "IN-CONTACT"]);
+    expect(askable(all)).toEqual(["LINK-LOST", "IN-CONTACT"]);
+    expect(askable(all).map(labelOf)).toEqual(["Link lost", "In contact"]);
     expect(fences(all)).toEqual([["0", "1. Field"]]);
   });
   it("is of rows that guard the robot, and of no others", () => {
@@ -135,8 +144,8 @@ describe("what is asked of the table", () => {
     const known = ownRows(table, standings(State.OTHERS, State.OFF, State.ARMED, State.OTHERS));
     expect(fences(known)).toEqual([["2", "3. Yard"]]);
     expect(firstFence(known)).toMatchObject({ row: 2 });
-    expect(firstDraft(known)).toMatchObject({ lasting: { "LINK-LOST": "6" }, fence: null });
-    expect(askable(known).map(([condition]) => condition)).toEqual(["LINK-LOST"]);
+    expect(firstDraft(known, limits)).toMatchObject({ lasting: { "LINK-LOST": "6" }, fence: null });
+    expect(askable(known)).toEqual(["LINK-LOST"]);
     expect(ownRows(table, undefined).map(({ index }) => index)).toEqual([1, 2]);
     expect(ownRows(table, standings(State.OFF, State.OFF, State.OFF, State.OFF))).toHaveLength(4);
   });
@@ -152,17 +161,18 @@ describe("what is asked of the table", () => {
     expect(fitted(draft, own(contact))).toEqual({ lasting: { "IN-CONTACT": "1" }, fence: null, speed: "3" });
   });
   it("goes to the server in metres, seconds and radians", () => {
-    expect(orderOf(7, { lasting: { STUCK: "3" }, fence: at, speed: "2,5" })).toEqual({
+    expect(orderOf(7, { lasting: { STUCK: "3" }, fence: at, speed: "2,5" }, limits)).toEqual({
       robot: 7,
-      linkLost: 0,
-      inContact: 0,
-      stuck: 3,
+      lasting: [{ condition: "STUCK", seconds: 3 }],
       speed: 2.5,
       fence: { row: 0, depth: -2, bearing: Math.PI, beginsThere: true },
     });
-    const inside = orderOf(7, { lasting: {}, fence: { ...at, side: "inside" }, speed: "1" });
+    const inside = orderOf(7, { lasting: {}, fence: { ...at, side: "inside" }, speed: "1" }, limits);
     expect(inside?.fence).toMatchObject({ depth: 2, beginsThere: false });
-    expect(orderOf(7, { lasting: {}, fence: null, speed: "1" })?.fence).toBeUndefined();
+    expect(orderOf(7, { lasting: {}, fence: null, speed: "1" }, limits)?.fence).toBeUndefined();
+  });
+  it("is nothing before the server has said what it takes", () => {
+    expect(wrongIn({ lasting: {}, fence: null, speed: "1" }, limitsOf(null))).toEqual(["Speed"]);
   });
   it("does not go there while a number is wrong, which is named", () => {
     const fine: Draft = { lasting: { STUCK: "3" }, fence: at, speed: "2" };
@@ -173,30 +183,30 @@ describe("what is asked of the table", () => {
       [{ ...fine, lasting: { STUCK: "601" } }, "Stuck"],
     ];
     for (const [draft, name] of bad) {
-      expect(wrongIn(draft)).toEqual([name]);
-      expect(orderOf(1, draft)).toBeUndefined();
+      expect(wrongIn(draft, limits)).toEqual([name]);
+      expect(orderOf(1, draft, limits)).toBeUndefined();
     }
-    expect(wrongIn(fine)).toEqual([]);
-    expect(wrongIn({ lasting: { "LINK-LOST": "x" }, fence: null, speed: "" })).toEqual(["Link lost", "Speed"]);
+    expect(wrongIn(fine, limits)).toEqual([]);
+    expect(wrongIn({ lasting: { "LINK-LOST": "x" }, fence: null, speed: "" }, limits)).toEqual(["Link lost", "Speed"]);
   });
 });
 
 describe("an answer", () => {
   const draft: Draft = { lasting: { "LINK-LOST": "6" }, fence: null, speed: "1" };
-  const order = orderOf(1, draft);
+  const order = orderOf(1, draft, limits);
   const answered = {
     isUnderWay: false,
     answer: { of: keyOf(order), is: { trial: create(FailsafeTrialSchema, {}) } },
   };
   it("stands beside the conditions that it answers", () => {
-    expect(kept(answered, keyOf(orderOf(1, { ...draft, speed: "1.0" })))).toBe(answered);
+    expect(kept(answered, keyOf(orderOf(1, { ...draft, speed: "1.0" }, limits)))).toBe(answered);
   });
   it("goes when conditions, robot or a number that is wrong make it another's", () => {
     for (const other of [
-      orderOf(1, { ...draft, speed: "2" }),
-      orderOf(1, { ...draft, speed: "" }),
-      orderOf(1, { ...draft, lasting: {} }),
-      orderOf(2, draft),
+      orderOf(1, { ...draft, speed: "2" }, limits),
+      orderOf(1, { ...draft, speed: "" }, limits),
+      orderOf(1, { ...draft, lasting: {} }, limits),
+      orderOf(2, draft, limits),
     ])
       expect(kept(answered, keyOf(other))).toEqual(kNothingTried);
   });

@@ -4,6 +4,7 @@ import {
   type FailsafeStandings_Standing,
   type Failsafes_Row,
   FailsafeStandings_State as State,
+  Failsafes_Row_Watch as Watch,
 } from "../../core/protocol.ts";
 
 export type Tone = "" | "go" | "hold" | "danger" | "accent";
@@ -69,8 +70,8 @@ export function worstOf(
 export function standingText(row: Failsafes_Row, standing: FailsafeStandings_Standing, isRealTime: boolean): string {
   const { state } = standing;
   if (state === State.OFF) {
-    const isOfLink = row.condition === "LINK-LOST" && !isRealTime;
-    return isOfLink ? "looked at in real time only" : "looked at while the robot runs";
+    if (row.watch === Watch.REAL_TIME && !isRealTime) return "looked at in real time only";
+    return row.watch === Watch.TELEOPERATED ? "looked at under teleoperation only" : "looked at while the robot runs";
   }
   const measured = measureText(row, standing.measure / 10);
   if (state === State.WAITING) return [measured, "a row above it acts"].filter(Boolean).join(", ");

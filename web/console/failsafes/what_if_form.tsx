@@ -1,5 +1,6 @@
 // Conditions that a person sets, and the code of the failsafes tried on them.
 import { useEffect, useId, useRef, useState } from "react";
+import { Failsafes_Row_Watch } from "../../core/protocol.ts";
 import { Button, Field, Switch } from "../../ui/controls/controls.tsx";
 import { SelectEntry } from "../../ui/controls/select_entry.tsx";
 import { list } from "../../ui/words/format.ts";
@@ -16,8 +17,9 @@ import {
   firstFence,
   firstSeconds,
   fitted,
-  kBounds,
-  type Lasting,
+  type Limits,
+  labelOf,
+  limitsOf,
   type OwnRow,
   orderOf,
   ownRows,
@@ -34,10 +36,11 @@ export function WhatIf({ robot }: { robot: number }) {
   useStandings("what-if", [robot]);
   const own = ownRows(rows, standings);
   const [draft, setDraft] = useState<Draft | null>(null);
-  const asked = fitted(draft ?? firstDraft(own), own);
-  const trial = useTrial(orderOf(robot, asked));
+  const limits = limitsOf(usePart("failsafeBounds"));
+  const asked = fitted(draft ?? firstDraft(own, limits), own);
+  const trial = useTrial(orderOf(robot, asked, limits));
   const tryIt = () => void trial.tryIt();
-  const entry: EntryProps = { own, asked, change: (next) => setDraft({ ...asked, ...next }), onEnter: tryIt };
+  const entry: EntryProps = { own, limits, asked, change: (next) => setDraft({ ...asked, ...next }), onEnter: tryIt };
   if (standings && own.length === 0)
     return (
       <section className="what-if" aria-label="What if?">
@@ -51,8 +54,8 @@ export function WhatIf({ robot }: { robot: number }) {
       <p className="small muted">
         Tried with {name}, which drives ahead on open ground, by the code that guards it. The run stays as it is.
       </p>
-      {askable(own).map(([condition, label]) => (
-        <LastingEntry key={condition} condition={condition} label={label} {...entry} />
+      {askable(own).map((condition) => (
+        <LastingEntry key={condition} condition={condition} {...entry} />
       ))}
       <FenceEntry {...entry} />
       <TryIt {...entry} isUnderWay={trial.isUnderWay} />
@@ -62,9 +65,9 @@ export function WhatIf({ robot }: { robot: number }) {
 }
 
 /** The last number, and what has all of them tried. */
-function TryIt({ asked, change, onEnter, isUnderWay }: EntryProps & { isUnderWay: boolean }) {
+function TryIt({ asked, limits, change, onEnter, isUnderWay }: EntryProps & { isUnderWay: boolean }) {
   const reason = useId();
-  const wrong = wrongIn(asked);
+  const wrong = wrongIn(asked, limits);
   const isWrong = wrong.length > 0;
   return (
     <>
@@ -72,7 +75,7 @@ function TryIt({ asked, change, onEnter, isUnderWay }: EntryProps & { isUnderWay
         <Amount
           label="Speed [m/s]"
           text={asked.speed}
-          bounds={kBounds.speed}
+          bounds={limits.speed}
           onChange={(speed) => change({ speed })}
           onEnter={onEnter}
         />
@@ -138,17 +141,20 @@ function Amount({ label, text, bounds: { min, max }, onChange, onEnter }: Amount
 
 interface EntryProps {
   own: readonly OwnRow[];
+  limits: Limits;
   asked: Draft;
   change: (next: Partial<Draft>) => void;
   onEnter: () => void;
 }
 
 interface LastingProps extends EntryProps {
-  condition: Lasting;
-  label: string;
+  condition: string;
 }
 
-function LastingEntry({ condition, label, own, asked, change, onEnter }: LastingProps) {
+function LastingEntry({ condition, own, limits, asked, change, onEnter }: LastingProps) {
+  const isInRealTimeOnly = own.some(
+    ({ row }) => row.condition === condition && row.watch === Failsafes_Row_Watch.REAL_TIME,
+  );
   const isRealTime = usePart("status")?.realTime !== undefined;
   const value = asked.lasting[condition];
   const set = (seconds: string | undefined) => {
@@ -158,14 +164,14 @@ function LastingEntry({ condition, label, own, asked, change, onEnter }: Lasting
   return (
     <div className="what-if-condition">
       <Switch
-        label={label}
+        label={labelOf(condition)}
         value={value !== undefined}
-        onChange={(isOn) => set(isOn ? firstSeconds(own, condition) : undefined)}
+        onChange={(isOn) => set(isOn ? firstSeconds(own, condition, limits) : undefined)}
       />
       {value !== undefined && (
-        <Amount label="for [s]" text={value} bounds={kBounds.seconds} onChange={set} onEnter={onEnter} />
+        <Amount label="for [s]" text={value} bounds={limits.seconds} onChange={set} onEnter={onEnter} />
       )}
-      {value !== undefined && condition === "LINK-LOST" && !isRealTime && (
+      {value !== undefined && isInRealTimeOnly && !isRealTime && (
         <p className="small muted wide">
           Without <span className="unbroken">--real-time</span> nobody looks at it in this run.
         </p>
@@ -174,7 +180,7 @@ function LastingEntry({ condition, label, own, asked, change, onEnter }: Lasting
   );
 }
 
-function FenceEntry({ own, asked, change, onEnter }: EntryProps) {
+function FenceEntry({ own, limits, asked, change, onEnter }: EntryProps) {
   const choices = fences(own);
   const { fence } = asked;
   if (choices.length === 0) return null;
@@ -189,6 +195,7 @@ function FenceEntry({ own, asked, change, onEnter }: EntryProps) {
         <FencePlace
           fence={fence}
           choices={choices}
+          limits={limits}
           set={(next) => change({ fence: { ...fence, ...next } })}
           onEnter={onEnter}
         />
@@ -200,11 +207,12 @@ function FenceEntry({ own, asked, change, onEnter }: EntryProps) {
 interface FencePlaceProps {
   fence: AtFence<string>;
   choices: readonly (readonly [string, string])[];
+  limits: Limits;
   set: (next: Partial<AtFence<string>>) => void;
   onEnter: () => void;
 }
 
-function FencePlace({ fence, choices, set, onEnter }: FencePlaceProps) {
+function FencePlace({ fence, choices, limits, set, onEnter }: FencePlaceProps) {
   return (
     <div className="what-if-fence">
       <SelectEntry
@@ -225,14 +233,14 @@ function FencePlace({ fence, choices, set, onEnter }: FencePlaceProps) {
       <Amount
         label="Distance [m]"
         text={fence.distance}
-        bounds={kBounds.distance}
+        bounds={limits.distance}
         onChange={(distance) => set({ distance })}
         onEnter={onEnter}
       />
       <Amount
         label="Heading [deg]"
         text={fence.bearing}
-        bounds={kBounds.bearing}
+        bounds={limits.bearing}
         onChange={(bearing) => set({ bearing })}
         onEnter={onEnter}
       />

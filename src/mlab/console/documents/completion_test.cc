@@ -105,7 +105,8 @@ TEST_F(CompletionTest, FollowsATypedCommandFromWordToWord) {
 
 TEST_F(CompletionTest, FollowsAFailsafeFromWordToWord) {
   EXPECT_EQ(in_mission("OVERLAY x.odl\nFAILS|"), Strings{"FAILSAFE"});
-  EXPECT_EQ(in_mission("FAILSAFE |"), (Strings{"OUTSIDE", "IN-CONTACT", "STUCK", "LINK-LOST", "FOR"}));
+  EXPECT_EQ(in_mission("FAILSAFE |"), (Strings{"OUTSIDE", "IN-CONTACT", "STUCK", "LINK-LOST",
+                                               "PERCEPTS-STALE", "OPERATOR-ABSENT", "FOR"}));
   EXPECT_TRUE(has(in_mission("OVERLAY x.odl\nFAILSAFE FOR |"), "ROBOT"));
   EXPECT_EQ(in_mission("FAILSAFE FOR ROBOT OUT|"), Strings{"OUTSIDE"});
   EXPECT_TRUE(has(in_mission("FAILSAFE FOR ROBOT STUCK AFTER 3 |"), "HOLD"));

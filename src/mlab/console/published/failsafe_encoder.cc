@@ -52,6 +52,18 @@ FailsafeTrial::What told(What what) {
   return FailsafeTrial::MET;
 }
 
+Failsafes::Row::Watch told_watch(mission::FailsafeWatch watch) {
+  switch (watch) {
+    case mission::FailsafeWatch::kRunning:
+      return Failsafes::Row::RUNNING;
+    case mission::FailsafeWatch::kRealTime:
+      return Failsafes::Row::REAL_TIME;
+    case mission::FailsafeWatch::kTeleoperated:
+      return Failsafes::Row::TELEOPERATED;
+  }
+  return Failsafes::Row::RUNNING;
+}
+
 void encode_standing(const fleet::RowStanding& row, FailsafeStandings::Standing& out) {
   constexpr double kMostTenths = 1e9;
   out.set_state(told(row.state));
@@ -78,7 +90,13 @@ void encode_failsafes(const mission::Mission& mission, const PlaceOf& place_of, 
     const DocumentPlace place = place_of(row.place);
     told.set_document(place.document);
     told.set_line(place.line);
+    told.set_watch(told_watch(condition.watch));
   }
+  Failsafes::Bounds& bounds = *out.mutable_bounds();
+  bounds.set_seconds(fleet::WhatIf::kMostSeconds);
+  bounds.set_speed(fleet::WhatIf::kMostSpeed);
+  bounds.set_depth(fleet::WhatIf::kMostDepth);
+  bounds.set_bearing(fleet::WhatIf::kMostBearing);
 }
 
 void encode_standings(const run::MissionRun& run, const fleet::FleetRobot& robot, FailsafeStandings& out) {

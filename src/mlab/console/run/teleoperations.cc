@@ -13,7 +13,7 @@ namespace mlab::console {
 
 void Teleoperations::let_go(run::MissionRun& run, Unit& unit) {
   unit.is_held = false;
-  for (const base::RobotId id : unit.robots) run.set_joystick(id, {});
+  for (const base::RobotId id : unit.robots) run.let_go_of_stick(id);
 }
 
 void Teleoperations::let_go(run::MissionRun& run) {

@@ -1,5 +1,9 @@
 #include "mlab/console/session/failsafe_trials.h"
 
+#include <algorithm>
+#include <expected>
+#include <string>
+
 #include <fmt/core.h>
 
 #include "mlab/console/published/failsafe_encoder.h"
@@ -9,11 +13,15 @@
 namespace mlab::console {
 namespace {
 
-fleet::WhatIf conditions_of(const TryFailsafes& asked) {
+std::expected<fleet::WhatIf, std::string> conditions_of(const TryFailsafes& asked) {
   fleet::WhatIf out;
-  out.link_lost = asked.link_lost();
-  out.in_contact = asked.in_contact();
-  out.stuck = asked.stuck();
+  for (const TryFailsafes::Lasting& one : asked.lasting()) {
+    const auto known = std::ranges::find(mission::kFailsafeConditions, one.condition(),
+                                         &mission::FailsafeConditionInfo::word);
+    if (known == mission::kFailsafeConditions.end())
+      return std::unexpected(fmt::format("no failsafe looks for `{}`", clean(one.condition())));
+    out.lasting[static_cast<std::size_t>(known->condition)] = one.seconds();
+  }
   out.speed = asked.speed();
   if (asked.has_fence())
     out.fence = fleet::WhatIf::AtFence{asked.fence().row(), asked.fence().depth(), asked.fence().bearing(),
@@ -49,8 +57,10 @@ Answered FailsafeTrials::answer(const TryFailsafes& asked, Reply& reply) {
   if (run.fleet().failsafes().empty()) return "the mission has no FAILSAFE";
   const fleet::FleetRobot* robot = run.fleet().find({asked.robot()});
   if (robot == nullptr) return fmt::format("there is no robot {}", asked.robot());
-  const auto outcome = fleet::what_if(run.fleet().failsafes(), known_of(run, *robot), conditions_of(asked),
-                                      run.cycle_duration());
+  const auto conditions = conditions_of(asked);
+  if (!conditions) return conditions.error();
+  const auto outcome =
+      fleet::what_if(run.fleet().failsafes(), known_of(run, *robot), *conditions, run.cycle_duration());
   if (!outcome) return clean(outcome.error());
   encode_trial(*outcome, asked.has_fence(), *reply.mutable_failsafes());
   return std::nullopt;

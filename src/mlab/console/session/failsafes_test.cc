@@ -1,5 +1,6 @@
 // The table of failsafes as browsers see it, and what they ask of it.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -73,6 +74,11 @@ class GuardedSession : public ::testing::Test {
     out.set_speed(1.0);
     return out;
   }
+  static void add(TryFailsafes& out, const std::string& condition, double seconds) {
+    TryFailsafes::Lasting& one = *out.add_lasting();
+    one.set_condition(condition);
+    one.set_seconds(seconds);
+  }
 
   ScratchProject project_;
   TestSession session_;
@@ -92,6 +98,9 @@ TEST_F(GuardedSession, TellsTheTableToWhoComes) {
   EXPECT_EQ(link.condition() + " " + link.action(), "LINK-LOST RETURN");
   EXPECT_EQ(link.seconds(), 5.0);
   EXPECT_FALSE(link.means().empty() || link.does().empty());
+  EXPECT_EQ(link.watch(), Failsafes::Row::REAL_TIME);
+  EXPECT_EQ(bert_.failsafes().bounds().seconds(), 600.0);
+  EXPECT_GT(bert_.failsafes().bounds().bearing(), 6.28);
 }
 
 TEST_F(GuardedSession, TellsHowRowsStandToWhoLooksAtThem) {
@@ -125,8 +134,8 @@ TEST_F(GuardedSession, TellsOnlyWhatHasChanged) {
 TEST_F(GuardedSession, TriesConditionsForAnybodyWithoutTouchingTheRun) {
   const std::size_t entries = bert_.log().size();
   TryFailsafes link = asked();
-  link.set_link_lost(6.0);
-  link.set_in_contact(6.0);
+  add(link, "LINK-LOST", 6.0);
+  add(link, "IN-CONTACT", 6.0);
   const Reply reply = try_out(bert_, link);
   ASSERT_TRUE(reply.ok()) << reply.error();
   const FailsafeTrial& trial = reply.failsafes();
@@ -161,14 +170,77 @@ TEST_F(GuardedSession, RefusesWhatCantBeTried) {
   nobody.set_robot(9);
   EXPECT_EQ(error(nobody), "there is no robot 9");
   TryFailsafes no_number = asked();
-  no_number.set_stuck(std::numeric_limits<double>::quiet_NaN());
+  add(no_number, "STUCK", std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(error(no_number), "STUCK lasts from 0 to 600 s");
   TryFailsafes endless = asked();
-  endless.set_link_lost(1e300);
+  add(endless, "LINK-LOST", 1e300);
   EXPECT_EQ(error(endless), "LINK-LOST lasts from 0 to 600 s");
+  TryFailsafes unknown = asked();
+  add(unknown, "TIRED", 1.0);
+  EXPECT_EQ(error(unknown), "no failsafe looks for `TIRED`");
   TryFailsafes no_fence = asked();
   no_fence.mutable_fence()->set_row(0xffffffffU);
   EXPECT_EQ(error(no_fence), "row 4294967296 of the table is no OUTSIDE");
+}
+
+constexpr const char* kSteered =
+    "FAILSAFE OPERATOR-ABSENT AFTER 20 RETURN\n"
+    "UNIT <a> ROBOT\n"
+    "COMMAND LIST:\n"
+    "0. UNIT a START 100 100\n"
+    "1. UNIT a MOVETO 110 100\n"
+    "2. UNIT a TELEOPERATE 300 100\n"
+    "3. UNIT a MOVETO 120 100\n";
+
+class SteeredSession : public GuardedSession {
+ protected:
+  SteeredSession() : GuardedSession(kSteered) {}
+  std::string push(double y) {
+    ToServer stick;
+    stick.mutable_stick()->set_unit("a");
+    stick.mutable_stick()->set_y(y);
+    return Browser::error_of(anna_.ask(stick));
+  }
+  bool tells(const std::string& what) {
+    return bert_.wait([&] {
+      return std::ranges::any_of(
+          bert_.log(), [&](const auto& entry) { return entry.text().find(what) != std::string::npos; });
+    });
+  }
+};
+
+TEST_F(SteeredSession, ARobotGoesHomeWhenItsOperatorIsGoneAndNoSooner) {
+  look_at(anna_, true);
+  EXPECT_EQ(anna_.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna_.wait([&] { return anna_.status().teleoperations_size() == 1; }));
+  ASSERT_TRUE(anna_.wait([&] { return state(0) == FailsafeStandings::ARMED; }));
+  const double began = anna_.status().time();
+  while (anna_.status().time() < began + 30.0) {
+    ASSERT_EQ(push(0.0), "") << "he holds it in its middle, and is there";
+    anna_.watch_for(0.05);
+  }
+  EXPECT_NE(state(0), FailsafeStandings::ACTIVE);
+  while (anna_.status().time() < began + 60.0) {
+    ASSERT_EQ(push(1.0), "");
+    anna_.watch_for(0.05);
+  }
+  EXPECT_NE(state(0), FailsafeStandings::ACTIVE);
+  EXPECT_TRUE(tells("`FAILSAFE OPERATOR-ABSENT AFTER 20 RETURN` acts")) << "nothing comes from his console";
+  ASSERT_TRUE(anna_.wait([&] { return state(0) == FailsafeStandings::ACTIVE; }));
+  ASSERT_EQ(push(1.0), "");
+  EXPECT_TRUE(tells("`FAILSAFE OPERATOR-ABSENT AFTER 20 RETURN` is over")) << "he is back";
+}
+
+TEST_F(SteeredSession, NobodyMissesAnOperatorWhoHasEndedTheTeleoperation) {
+  look_at(anna_, true);
+  EXPECT_EQ(state(0), FailsafeStandings::OTHERS);
+  EXPECT_EQ(anna_.control(Control::EXECUTE), "");
+  ASSERT_TRUE(anna_.wait([&] { return anna_.status().teleoperations_size() == 1; }));
+  ToServer end;
+  end.mutable_end_teleoperation()->set_unit("a");
+  ASSERT_EQ(Browser::error_of(anna_.ask(end)), "");
+  ASSERT_TRUE(anna_.wait([&] { return state(0) == FailsafeStandings::OFF; }));
+  ASSERT_TRUE(tells("MOVETO 120 100 done"));
 }
 
 class UnguardedSession : public GuardedSession {

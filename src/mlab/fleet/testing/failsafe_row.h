@@ -1,5 +1,9 @@
 #pragma once
 
+#include <initializer_list>
+#include <utility>
+
+#include "mlab/fleet/what_if.h"
 #include "mlab/mission/failsafe.h"
 
 namespace mlab::fleet::testing {
@@ -16,6 +20,14 @@ inline mission::Failsafe row(mission::FailsafeCondition condition, mission::Fail
     out.fence_name = "Field";
     out.fence = {{0, 0}, {100, 0}, {100, 60}, {0, 60}};
   }
+  return out;
+}
+
+/// Conditions that hold for so long [s].
+inline WhatIf::Lasting lasting(
+    std::initializer_list<std::pair<mission::FailsafeCondition, double>> conditions) {
+  WhatIf::Lasting out{};
+  for (const auto& [condition, seconds] : conditions) out[static_cast<std::size_t>(condition)] = seconds;
   return out;
 }
 

@@ -144,6 +144,8 @@ class ProgramRunner {
   virtual std::vector<SilentMachine> silent_machines() const { return {}; }
   /// So long nothing has been heard of the robot's program [s]; 0: it is waited for, or was heard in time.
   virtual double silence(Member /*member*/) const { return 0.0; }
+  /// So old are the percepts that the robot's action answers [s]; 0: those of this cycle.
+  virtual double percept_age(Member /*member*/) const { return 0.0; }
   /// Null: nothing here can be late, it is waited for.
   virtual const Punctuality* punctuality() const { return nullptr; }
 

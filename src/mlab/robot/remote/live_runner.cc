@@ -90,7 +90,7 @@ double RoundTrip::shortest() const {
 // cycles
 
 LiveRunner::LiveRunner(Recruit recruit, double period)
-    : RemoteRunner(std::move(recruit)), period_(period), beats_(period) {}
+    : RemoteRunner(std::move(recruit)), period_(period), asked_(kKnownHeadings), beats_(period) {}
 
 // Who looks again and again gets it with actions, and waits for nobody.
 bool LiveRunner::is_known_well(const Robot& robot) const {
@@ -110,7 +110,8 @@ void LiveRunner::open() {
     if (!live_[member] || live_[member]->number != robot.number) {
       live_[member] = std::make_unique<Live>();
       live_[member]->number = robot.number;
-      live_[member]->came = Clock::now();  // as if it had been heard when it was started
+      live_[member]->came = live_[member]->answers =
+          Clock::now();  // as if it had been heard when it was started
       live_[member]->headings.resize(kKnownHeadings);
     }
     by_number_[robot.number] = member;
@@ -148,7 +149,7 @@ void LiveRunner::act(std::span<const Turn> turns) {
 
 void LiveRunner::ask() {
   is_in_cycle_ = true;
-  asked_at_ = Clock::now();
+  note_asked(Clock::now());
   beats_.note_cycle();
   for (const Member member : joined_) {
     const Robot& robot = members_[member];
@@ -164,6 +165,13 @@ void LiveRunner::ask() {
     live.percepts.AppendToString(&bytes_);
     line->send(std::to_string(robot.number), bytes_);
   }
+}
+
+// Where nobody was asked for a while, because the run stood, nobody was silent either.
+void LiveRunner::note_asked(Clock::time_point now) {
+  if (now - asked_at_ > from_seconds(std::max(2.0 * period_, kActionPatience))) resumed_ = now;
+  asked_at_ = now;
+  asked_[(cycle_ + 1) % kKnownHeadings] = now;
 }
 
 void LiveRunner::wait(const robot::Meanwhile& /*meanwhile*/) {
@@ -238,6 +246,7 @@ std::optional<std::string> LiveRunner::take(const wire::LiveAction& message, Rob
   live.taken = message.number();
   live.answered = message.cycle();
   live.came = Clock::now();
+  live.answers = asked_[message.cycle() % kKnownHeadings];
   punctuality_.worst_age = std::max(punctuality_.worst_age, message.age());
   live.has_ended = !robot.turn.failure->empty() || !robot.turn.fault->empty();
   if (live.has_ended) return std::nullopt;
@@ -248,14 +257,20 @@ std::optional<std::string> LiveRunner::take(const wire::LiveAction& message, Rob
   return std::nullopt;
 }
 
-// What the robot does in this cycle.
 double LiveRunner::silence(Member member) const {
-  const Live* const live = member < live_.size() ? live_[member].get() : nullptr;
+  const Live* const live = find(member);
   if (live == nullptr) return 0.0;
-  const Clock::duration age = Clock::now() - live->came;
+  const Clock::duration age = Clock::now() - std::max(live->came, resumed_);
   return age > from_seconds(kActionPatience) ? in_seconds(age) : 0.0;
 }
 
+double LiveRunner::percept_age(Member member) const {
+  const Live* const live = find(member);
+  if (live == nullptr || live->answered >= cycle_) return 0.0;
+  return std::max(0.0, in_seconds(asked_at_ - std::max(live->answers, resumed_)));
+}
+
+// What the robot does in this cycle.
 void LiveRunner::finish(const Robot& robot, Live& live, Clock::time_point now) {
   if (live.has_ended) {
     live.has_ended = false;  // a new start

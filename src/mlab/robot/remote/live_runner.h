@@ -68,6 +68,7 @@ class LiveRunner final : public RemoteRunner {
   void ask() override;
   void wait(const robot::Meanwhile& meanwhile) override;
   double silence(Member member) const override;
+  double percept_age(Member member) const override;
   const robot::Punctuality* punctuality() const override { return &punctuality_; }
 
  protected:
@@ -84,6 +85,7 @@ class LiveRunner final : public RemoteRunner {
     percept::Action action;        // without what it asks for once
     std::vector<double> headings;  // of the last cycles, by their number [rad]
     Clock::time_point came;
+    Clock::time_point answers;              // when the percepts were sent that `action` answers
     std::deque<percept::Request> requests;  // that have come and were not handed on
     bool has_ended = false;                 // with a failure or fault, which the turn holds
   };
@@ -93,6 +95,8 @@ class LiveRunner final : public RemoteRunner {
   void take(const LiveLine::Message& message, Carrier& carrier);
   std::optional<std::string> take(const wire::LiveAction& message, Robot& robot, Live& live);
   void finish(const Robot& robot, Live& live, Clock::time_point now);
+  void note_asked(Clock::time_point now);
+  const Live* find(Member member) const { return member < live_.size() ? live_[member].get() : nullptr; }
 
   double period_;
   std::vector<std::unique_ptr<Live>> live_;              // by member
@@ -101,6 +105,8 @@ class LiveRunner final : public RemoteRunner {
   std::vector<std::shared_ptr<LiveLine>> lines_;  // whose agents hear beats
   robot::Punctuality punctuality_;
   Clock::time_point asked_at_;
+  std::vector<Clock::time_point> asked_;  // the last cycles, by their number
+  Clock::time_point resumed_;             // since then cycles follow each other
   wire::LiveAction message_;
   std::string bytes_;
   Beats beats_;
