@@ -112,6 +112,40 @@ TEST_F(Patience, NamesRobotsThatDoNotStart) {
       << fleet_->transcript();
 }
 
+TEST_F(Patience, IsNotTriedByRobotsThatFaultedAsTheyStarted) {
+  fleet_ = std::make_unique<ToyFleet>(maker_.make(), ExecutiveOptions{.patience = 600.0});
+  fleet_->robot(2).faults = true;
+  fleet_->send(event::Execute{});
+  fleet_->run(5.0);
+  EXPECT_TRUE(
+      fleet_->has_told("step 0: unit a START StartPlace failed: robot 2 at (0.0, 10.0): not running, "
+                       "stopped by a fault or a failsafe"))
+      << fleet_->transcript();
+  EXPECT_EQ(fleet_->state().outcome, Outcome::kFailed);
+}
+
+TEST_F(Patience, IsHadWithRobotsThatAreStillToComeBesideAFaultedOne) {
+  fleet_ = std::make_unique<ToyFleet>(maker_.make(), ExecutiveOptions{.patience = 60.0});
+  fleet_->robot(1).faults = true;
+  fleet_->robot(2).starts = false;
+  fleet_->send(event::Execute{});
+  fleet_->run(30.0);
+  EXPECT_TRUE(fleet_->state().in_step) << fleet_->transcript();
+  fleet_->run(60.0);
+  EXPECT_TRUE(
+      fleet_->has_told("no progress for 60 s; robot 1 at (0.0, 0.0): not running, stopped by "
+                       "a fault or a failsafe; robot 2: does not start"))
+      << fleet_->transcript();
+}
+
+TEST_F(Patience, StartsARobotAnewThatWasStopped) {
+  maker_.step({stop(b_)}).step({start(b_)}).step({move_to(b_, "B", {1, 1})});
+  fleet_ = std::make_unique<ToyFleet>(maker_.make(), ExecutiveOptions{.patience = 60.0});
+  fleet_->send(event::Execute{});
+  fleet_->run(100.0);
+  EXPECT_EQ(fleet_->state().outcome, Outcome::kDone) << fleet_->transcript();
+}
+
 TEST_F(Patience, IsNotTriedByTwoCommandsOfOneStepForTheSameRobots) {
   const auto both = maker_.unit("both", {a_, b_});
   const ToyFleet& fleet = run(200.0, {move_to(both, "B", {10, 50})});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "mlab/mission/phase_line.h"
@@ -29,7 +30,7 @@ void mark_done(State& state, RobotState& robot) {
 
 void take_order_report(State& state, RobotState& robot, const RobotReport& report) {
   if (report.sequence != robot.sequence || robot.sequence == 0) return;
-  if (std::isfinite(report.remaining)) robot.remaining = report.remaining;
+  if (std::isfinite(report.remaining) && report.remaining >= 0.0) robot.remaining = report.remaining;
   if (report.remaining < robot.best - kProgress) {
     robot.best = report.remaining;
     state.runs[robot.run].stalled = 0.0;
@@ -136,6 +137,37 @@ void take_time(Turn& turn, double time) {
   s.time = time;
 }
 
+// Robots of START commands that were started, and say that they don't run: nothing comes of waiting for them.
+// How many, by the record of their command.
+std::map<std::uint32_t, std::uint32_t> failed_starts(const State& state,
+                                                     std::span<const RobotReport> reports) {
+  std::map<std::uint32_t, std::uint32_t> out;
+  for (const RobotReport& report : reports) {
+    if (report.is_running) continue;
+    const RobotState* robot = find_robot(state, report.id);
+    if (robot == nullptr || robot->run == kNoRun || robot->done) continue;
+    const Run& run = state.runs[robot->run];
+    if (run.command->task == Task::kStart) ++out[run.record];
+  }
+  return out;
+}
+
+// Fails START commands of which only such robots are missing; of a step the first one.
+void fail_starts(Turn& turn, const std::map<std::uint32_t, std::uint32_t>& failed) {
+  State& s = turn.state;
+  bool has_failed = false;
+  for (std::size_t i = 0; i < s.runs.size() && !failed.empty(); ++i) {
+    Run& run = s.runs[i];
+    const auto at = failed.find(run.record);
+    if (run.phase != Run::Phase::kRobots || at == failed.end() || at->second < run.missing) continue;
+    has_failed = true;
+    const bool of_step = is_step(s, run.owner);
+    fail(turn, run, undone_text(s, run));
+    if (of_step) break;  // its runs are gone
+  }
+  if (has_failed) go_on(turn);
+}
+
 // A command that ends by itself at a time is not waited for in vain.
 bool needs_patience(const Run& run) {
   return run.phase == Run::Phase::kRobots && run.missing > 0 && !run.ends && !holds_at_line(run);
@@ -168,6 +200,7 @@ void take_cycle(Turn& turn, const event::Cycle& cycle) {
   const std::vector<base::RobotId> silent = look_for_silent_robots(s);
   if (!silent.empty()) warn_of_silent_robots(turn, silent);
   if (s.paused || s.mode != State::Mode::kRunning) return;
+  const auto failed = failed_starts(s, cycle.robots);
   for (Run& run : s.runs) {
     if (run.phase == Run::Phase::kRobots) steer_parts(turn, run);
   }
@@ -175,6 +208,7 @@ void take_cycle(Turn& turn, const event::Cycle& cycle) {
   for (const Run& run : s.runs) apply_halts(turn, run);
   expire_questions(turn);
   go_on(turn);
+  fail_starts(turn, failed);
   check_patience(turn);
 }
 

@@ -108,7 +108,7 @@ std::string reason(const State& state, const Run& run, const RobotState& robot) 
   if (robot.life == RobotState::Life::kStopped) return "stopped";
   if (robot.seen == 0) return starts ? "does not start" : "not started";
   if (!in_sight(state, robot)) return "lost, it no longer reports";
-  if (!robot.is_running) return starts ? "does not start" : "not running, stopped by a fault or a failsafe";
+  if (!robot.is_running) return "not running, stopped by a fault or a failsafe";
   if (robot.reported == 0) return "its program does not report on orders";
   if (robot.reported != robot.sequence) return "it has not taken up the order";
   const Group* group = find_group(state, robot.sequence);

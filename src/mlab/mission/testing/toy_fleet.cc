@@ -132,7 +132,8 @@ void ToyFleet::apply(const Effect& effect) {
     Body& body = bodies_[begin->robot.value];
     if (!body.starts) return;
     body.report.id = begin->robot;
-    body.in_world = body.report.is_running = true;
+    body.in_world = true;
+    body.report.is_running = !body.faults;
     body.report.pose = begin->pose;
     body.report.sequence = 0;
     body.order = {};

@@ -53,6 +53,7 @@ class ToyFleet {
     bool reports = true;
     bool is_stuck = false;
     bool starts = true;           ///< a Start brings it into the world
+    bool faults = false;          ///< its program fails as it starts
     geom::Offset step;            ///< last motion [m]
     std::size_t route_index = 0;  ///< FOLLOW: the point that it heads for
   };
