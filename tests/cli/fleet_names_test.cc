@@ -22,6 +22,19 @@ TEST_F(Command, FleetsAndAgentsHaveNames) {
   }
 }
 
+TEST_F(Command, NoNameIsAPath) {
+  for (const std::string command :
+       {"fleet .. --once", "fleet . --once", "fleet ../x --once", "keys ..", "agent --fleet ..",
+        "agent --name ..", "agent --fleet a/b", "run x.mdl --headless --robots fleet --fleet .."}) {
+    const Outcome o = mlab(command, "timeout 30");
+    EXPECT_EQ(o.status, 2) << command << o.out;
+    EXPECT_TRUE(has(o.err,
+                    "can't be a name here: expected 1 to 64 letters, digits, `-`, `_` and `.`, not dots "
+                    "alone"))
+        << command << ": " << o.err;
+  }
+}
+
 TEST_F(Command, NamesThatCanNotBeAreShownOnOneLine) {
   for (const std::string command : {"fleet $'a\\nb\\x1b[2J' --once", "keys $'a\\nb\\x1b[2J'",
                                     "agent --fleet $'a\\nb\\x1b[2J'", "agent --name $'a\\nb\\x1b[2J'"}) {

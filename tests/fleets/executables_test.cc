@@ -164,5 +164,36 @@ TEST_F(FleetExecutables, WhoStartsThemIsToldWhatIsMissing) {
       << far.output();
 }
 
+TEST_F(FleetExecutables, WhoCantBeStartedFailsAtOnceInWordsThatAShellTakes) {
+  make_network(34);
+  bring_mission("base");
+  fs::copy_file(folder / "walker", base().path("/tmp/m/my walker"));
+  std::string mission = kMission;
+  mission.replace(mission.find("./walker"), 8, "./my walker");
+  std::ofstream(base().path("/tmp/m/m.mdl")) << mission;
+  Process far = run("/tmp/m/m.mdl", {"--allow-native"});
+  const auto ending = far.wait(kFleetPatience);
+  ASSERT_TRUE(ending) << "nothing comes of waiting: " << far.output() << far.errors();
+  EXPECT_EQ(ending->words(), "exit status 1");
+  EXPECT_NE(far.output().find("`'./my walker' --fleet alpha --name f1 --network ADDRESS` does"),
+            std::string::npos)
+      << far.output();
+}
+
+TEST_F(FleetExecutables, DoNotServeMissionsInText) {
+  make_network(35);
+  const Process north = start_executable("north", "f1");
+  ASSERT_TRUE(north.prints("waits for runs", kFleetPatience)) << north.output() << north.errors();
+  Process far = run(mission("patrol"));
+  const auto ending = far.wait(kFleetPatience);
+  ASSERT_TRUE(ending) << far.output() << far.errors();
+  EXPECT_EQ(ending->words(), "exit status 1");
+  EXPECT_NE(
+      far.output().find("has no agent: nobody in the fleet `alpha` builds robots from text, `f1` carries "
+                        "those of the executable `walker` only: `mlab agent --fleet alpha --network"),
+      std::string::npos)
+      << far.output();
+}
+
 }  // namespace
 }  // namespace mlab::testing

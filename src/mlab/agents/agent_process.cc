@@ -346,8 +346,9 @@ std::string machine_name() {
 
 std::optional<std::string> serve_as_agent(const AgentSettings& settings, const std::stop_token& stop) {
   if (!is_agent_name(settings.name))
-    return fmt::format("`{}` can't be the name of an agent: 1 to 64 letters, digits, `-`, `_` and `.`",
-                       text::shown(settings.name));
+    return fmt::format(
+        "`{}` can't be the name of an agent: 1 to 64 letters, digits, `-`, `_` and `.`, not dots alone",
+        text::shown(settings.name));
   std::optional<robot::ExecutableOrigin> executable;
   if (!settings.offered.empty()) {
     auto program = robot::load_offered(settings.offered, settings.sources);

@@ -7,17 +7,20 @@
 #include <vector>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "mlab/agents/dds_link.h"
 #include "mlab/robot/remote/live_runner.h"
 #include "mlab/robot/remote/remote_runner.h"
 #include "mlab/robot/wire/arithmetic.h"
 #include "mlab/robot/wire/shared_cycle.h"
+#include "mlab/text/shell_word.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::agents {
 namespace {
 
+constexpr std::size_t kWholeName = 255;              // characters, of a file
 constexpr std::chrono::seconds kJoiningPatience(5);  // for an agent that somebody wants and that is not there
 
 bool is_of(const wire::AgentPresence& agent, const std::string& version) {
@@ -99,7 +102,7 @@ class Recruits {
     const std::string host = text::shown(program.host);
     const std::string who = host.empty() ? "none" : fmt::format("none of the name `{}`", host);
     const std::string words =
-        host.empty() ? hints_.here : fmt::format(" --name {}{}", host, hints_.elsewhere);
+        host.empty() ? hints_.here : fmt::format(" --name {}{}", text::shell_word(host), hints_.elsewhere);
     if (const auto named = host.empty() ? std::nullopt : roster_->find(program.host);
         named && named->state == Member::State::kThere && !offers(named->said, program))
       return fmt::format(
@@ -108,11 +111,35 @@ class Recruits {
               ? fmt::format("robots of the executable `{}`, and no others", named->said.offered().name())
               : "robots that are built from text, and no executables");
     if (program.executable)
-      return fmt::format("{0} in the fleet `{1}` offers `{2}`: there, `./{2} --fleet {1}{3}` does", who,
-                         fleet, text::shown(program.executable->name),
+      return fmt::format("{} in the fleet `{}` offers `{}`: there, `{} --fleet {}{}` does", who, fleet,
+                         text::shown(program.executable->name),
+                         text::shell_word("./" + text::shown(program.executable->name, kWholeName)), fleet,
                          host.empty() ? hints_.elsewhere : words);
+    if (const std::string others = those_with_executables(); host.empty() && !others.empty())
+      return fmt::format(
+          "nobody in the fleet `{0}` builds robots from text, {1}: `mlab agent --fleet {0}{2}` starts one "
+          "that "
+          "does",
+          fleet, others, words);
     return fmt::format("{0} has joined the fleet `{1}`: {2}`mlab agent --fleet {1}{3}` starts one", who,
                        fleet, host.empty() ? "" : "there, ", words);
+  }
+  // Members that carry robots of one executable each, and nothing else: "`f1` carries those of `walker`
+  // only".
+  std::string those_with_executables() const {
+    constexpr std::size_t kMostNamed = 3;
+    std::vector<std::string> out;
+    std::size_t more = 0;
+    for (const Member& one : roster_->members()) {
+      if (one.state != Member::State::kThere || !one.said.has_offered()) continue;
+      if (out.size() == kMostNamed)
+        ++more;
+      else
+        out.push_back(fmt::format("`{}` carries those of the executable `{}` only", one.said.name(),
+                                  one.said.offered().name()));
+    }
+    if (more > 0) out.push_back(fmt::format("{} more are of that sort", more));
+    return fmt::format("{}", fmt::join(out, ", "));
   }
   bool is_known(const Member& member) const {
     const auto at = known_.find(member.said.name());

@@ -36,7 +36,8 @@ bool is_agent_name(std::string_view name) {
   const auto is_fit = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
   };
-  return !name.empty() && name.size() <= dds::kMaxKey && std::ranges::all_of(name, is_fit);
+  const bool is_path = name.find_first_not_of('.') == std::string_view::npos;
+  return !is_path && name.size() <= dds::kMaxKey && std::ranges::all_of(name, is_fit);
 }
 
 std::expected<std::shared_ptr<Roster>, std::string> Roster::join(const dds::Network& network, Watch watch) {

@@ -2,27 +2,15 @@
 
 #include <arpa/inet.h>
 
-#include <algorithm>
-#include <cctype>
-
 #include <fmt/core.h>
 
 #include "mlab/agents/roster.h"
 #include "mlab/cli/fleet_network.h"
+#include "mlab/text/shell_word.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
-
-std::string word_of_shell(const std::string& text) {
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-_./:@%+,").contains(c);
-  };
-  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
 
 bool is_address(const std::string& text) {
   in_addr address{};
@@ -31,7 +19,7 @@ bool is_address(const std::string& text) {
 
 std::string peers_of(const NetworkOptions& options) {
   std::string out;
-  for (const std::string& peer : options.peers) out += " --peer " + word_of_shell(peer);
+  for (const std::string& peer : options.peers) out += " --peer " + text::shell_word(peer);
   return out;
 }
 
@@ -39,10 +27,10 @@ std::string peers_of(const NetworkOptions& options) {
 
 std::string fleet_options(const NetworkOptions& options) {
   std::string out;
-  if (!options.interface_name.empty()) out += " --network " + word_of_shell(options.interface_name);
+  if (!options.interface_name.empty()) out += " --network " + text::shell_word(options.interface_name);
   out += peers_of(options);
   if (options.is_secure) out += " --secure";
-  if (options.is_secure && !options.identity.empty()) out += " " + word_of_shell(options.identity);
+  if (options.is_secure && !options.identity.empty()) out += " " + text::shell_word(options.identity);
   return out;
 }
 
@@ -50,7 +38,7 @@ std::string fleet_options_elsewhere(const NetworkOptions& options) {
   std::string out;
   if (!options.interface_name.empty())
     out += " --network " +
-           (is_address(options.interface_name) ? "ADDRESS" : word_of_shell(options.interface_name));
+           (is_address(options.interface_name) ? "ADDRESS" : text::shell_word(options.interface_name));
   return out + peers_of(options) + (options.is_secure ? " --secure" : "");
 }
 
@@ -60,8 +48,9 @@ std::string release_command(const NetworkOptions& options) {
 
 std::string refuse_unless_name(const std::string& text) {
   if (agents::is_agent_name(text)) return "";
-  return fmt::format("`{}` can't be a name here: expected 1 to 64 letters, digits, `-`, `_` and `.`",
-                     text::shown(text));
+  return fmt::format(
+      "`{}` can't be a name here: expected 1 to 64 letters, digits, `-`, `_` and `.`, not dots alone",
+      text::shown(text));
 }
 
 }  // namespace mlab::cli

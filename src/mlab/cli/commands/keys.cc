@@ -90,8 +90,6 @@ int keys(const KeysOptions& options) {
   const std::string fleet = fleet_of(options.fleet);
   if (const auto usable = dds::configuration_of({.fleet = fleet, .interface_name = {}, .peers = {}}); !usable)
     return refuse(usable.error());
-  if (fleet.find_first_not_of('.') == std::string::npos)
-    return refuse(fmt::format("the fleet's name `{}` can't be that of a folder", fleet));
   const std::string folder = keys_folder(fleet);
   if (folder.empty()) return refuse("there is no folder for keys: neither XDG_STATE_HOME nor HOME is set");
   if (!keys::FleetKeys::are_there(folder) && !options.withdraw.empty())
