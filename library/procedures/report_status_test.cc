@@ -106,6 +106,7 @@ TEST(ReportStep, TellsThatLessRemainsOnceEachTimeItStarts) {
   EXPECT_EQ(p.action.status.sequence, 7U);
   EXPECT_FALSE(p.action.status.done);
   const double before = p.action.status.remaining;
+  EXPECT_LT(before, 0.0) << "no length that anybody would take for a distance";
   p.step();
   EXPECT_EQ(p.action.status.sequence, 0U) << "tells nothing";
   p.skip();

@@ -15,8 +15,11 @@ std::string pan_of(const wire::Action& action) {
   return action.looks() ? fmt::format("to look to {} rad", action.pan()) : "to look as it does";
 }
 std::string status_of(const wire::Action& action) {
-  return fmt::format("{}, {} m to go with order {}", action.status().done() ? "done" : "not done",
-                     action.status().remaining(), action.status().sequence());
+  const double remaining = action.status().remaining();
+  return fmt::format(
+      "{}, {} with order {}", action.status().done() ? "done" : "not done",
+      remaining < 0.0 ? fmt::format("{} steps on", -remaining) : fmt::format("{} m to go", remaining),
+      action.status().sequence());
 }
 std::string requests_of(const wire::Action& action) {
   std::string out;

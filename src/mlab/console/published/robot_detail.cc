@@ -47,7 +47,8 @@ void encode_command(const run::MissionRun& run, const Estimates& estimates, cons
     const geom::Point goal = follows ? group->order.route.back() : group->order.goal;
     out.mutable_goal()->set_x(goal.x);
     out.mutable_goal()->set_y(goal.y);
-    if (robot.action.status.sequence == group->order.sequence && std::isfinite(robot.action.status.remaining))
+    if (robot.action.status.sequence == group->order.sequence &&
+        std::isfinite(robot.action.status.remaining) && robot.action.status.remaining >= 0.0)
       out.set_remaining(robot.action.status.remaining);
   }
   if (known == nullptr || known->run >= state.runs.size()) return;

@@ -18,6 +18,11 @@ EventLog::Entry entry(Log::Kind kind, std::string text, const FleetRobot& robot,
   return {kind, std::move(text), robot.id.value, "", place, is_alert};
 }
 
+// What a program counts down that knows no way is no distance.
+std::string what_remains(double remaining) {
+  return remaining < 0.0 ? "" : fmt::format(", {:.1f} m remain", remaining);
+}
+
 }  // namespace
 
 void Alarms::match(const std::vector<FleetRobot>& fleet) {
@@ -117,8 +122,8 @@ void Alarms::look_for_progress(const run::MissionRun& run, const FleetRobot& rob
   known.is_stuck = true;
   if (++stuck_now_ > kMostAtOnce) return;
   log.add(run.time(), entry(Log::STUCK,
-                            fmt::format("robot {} is stuck: no nearer to done for {:.0f} s, {:.1f} m remain",
-                                        robot.id.value, kStuckAfter, status.remaining),
+                            fmt::format("robot {} is stuck: no nearer to done for {:.0f} s{}", robot.id.value,
+                                        kStuckAfter, what_remains(status.remaining)),
                             robot, run.fleet().pose(robot).position, true));
 }
 
