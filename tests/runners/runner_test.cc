@@ -460,6 +460,50 @@ TEST(RobotsAtAgents, LetWhoAsksReadWhatWasSaidThere) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(RobotsAtAgents, KeepNobodyWaitingWhoReadsWhatASlowOneSaid) {
+  Agents agents;
+  RobotProgram program = standard_robot(false);
+  program.host = "alder";
+  ProgramRunner& runner = agents.runner_of(program);
+  Traveller robot(runner, 1, program);
+  ASSERT_EQ(robot.start(), std::nullopt);
+  cycles({&robot}, 2);
+  agents.link(0).slow_down(std::chrono::milliseconds(1000));
+  const auto began = std::chrono::steady_clock::now();
+  const auto early = runner.said(robot.member());
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(900));
+  ASSERT_FALSE(early);
+  EXPECT_EQ(early.error(), "the agent on `alder` has not answered yet: ask again in a moment");
+  agents.link(0).slow_down(std::chrono::milliseconds(0));
+  cycles({&robot}, 2);
+  EXPECT_EQ(robot.failure(), "") << "its answer came before those of the cycles";
+  EXPECT_TRUE(runner.said(robot.member())) << "it was kept";
+  cycles({&robot}, 1);
+  EXPECT_TRUE(runner.said(robot.member())) << "asked anew";
+  EXPECT_EQ(robot.failure(), "");
+}
+
+TEST(RobotsInRealTime, AreKnownToActOnOldPercepts) {
+  FleetOfThreads fleet(100);
+  const auto runner = fleet.make_runner(kSeed, 0.02);
+  const RobotProgram program = standard_robot(false);
+  Traveller robot(*runner, 1, program);
+  ASSERT_EQ(robot.start(), std::nullopt);
+  bool was_in_time = false;
+  for (int i = 0; i < 250 && !was_in_time; ++i) {
+    const auto next = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+    cycle({&robot});
+    EXPECT_GE(runner->percept_age(robot.member()), 0.0);
+    was_in_time = runner->percept_age(robot.member()) == 0.0;
+    std::this_thread::sleep_until(next);
+  }
+  EXPECT_TRUE(was_in_time);
+  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  cycle({&robot});
+  EXPECT_LT(runner->percept_age(robot.member()), 0.5) << "nobody asked meanwhile: the run stood";
+  EXPECT_EQ(runner->silence(robot.member()), 0.0);
+}
+
 TEST(RobotsInRealTime, GoTheirWayThoughNobodyWaitsForThem) {
   constexpr std::chrono::milliseconds kPeriod(20);
   FleetOfThreads fleet(100);

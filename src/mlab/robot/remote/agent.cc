@@ -71,8 +71,12 @@ const wire::FromAgent* Agent::receive(wire::FromAgent::BodyCase wanted, double p
     if (const auto bytes = link_->receive(std::min(last, Clock::now() + kGlance))) {
       if (!answer_.ParseFromArray(bytes->data(), static_cast<int>(bytes->size())))
         link_->fail("answers what is no message of the agents' protocol");
+      else if (answer_.number() == log_question_.number && answer_.number() < number_)
+        log_ = answer_;
       else if (live_ && answer_.number() < number_)
         continue;  // to what was given up while it was cut off
+      else if (answer_.number() < number_ && answer_.number() <= newest_log_)
+        continue;
       else if (answer_.number() != number_ || (answer_.body_case() != wanted && !answer_.has_refusal()))
         link_->fail("answers something else than it was asked");
       else if (answer_.refusal().is_unknown())
@@ -156,12 +160,43 @@ std::expected<std::uint32_t, std::string> Agent::bring(const robot::RobotProgram
   return brought_.emplace(program.program, std::move(out)).first->second;
 }
 
-std::expected<robot::Said, std::string> Agent::said(std::uint32_t member) {
+// The agent's failure is not this: whoever needs it for more than words notices by himself.
+std::expected<const wire::FromAgent*, std::string> Agent::wait_for_log(double patience) {
+  const Clock::time_point last = from_now(patience);
+  while (!log_) {
+    if (std::string why = failure(); !why.empty()) return std::unexpected(std::move(why));
+    const auto bytes = link_->receive(std::min(last, Clock::now() + kGlance));
+    if (bytes && !answer_.ParseFromArray(bytes->data(), static_cast<int>(bytes->size())))
+      link_->fail("answers what is no message of the agents' protocol");
+    else if (bytes && answer_.number() > number_)
+      link_->fail("answers something else than it was asked");
+    else if (bytes && answer_.number() == log_question_.number)
+      log_ = answer_;
+    else if (!bytes && Clock::now() >= last)
+      return std::unexpected(
+          fmt::format("the agent on `{}` has not answered yet: ask again in a moment", name_));
+  }
+  log_question_ = {};
+  answer_ = *std::exchange(log_, std::nullopt);
+  if (answer_.has_log()) return &answer_;
+  return std::unexpected(
+      fmt::format("the agent on `{}` refuses: {}", name_, text::shown(answer_.refusal().text(), 2000)));
+}
+
+std::expected<robot::Said, std::string> Agent::said(std::uint32_t member, double patience) {
   constexpr std::size_t kLine = 400;        // characters
   constexpr std::size_t kProgram = 10'000;  // of what a program wrote
-  wire::ToAgent message;
-  message.mutable_read_log()->set_member(member);
-  const auto answer = ask(message, wire::FromAgent::kLog);
+  if (log_question_.number == 0 || log_question_.member != member) {
+    if (link_->is_cut())
+      return std::unexpected(fmt::format("the agent on `{}` is cut off at present", name_));
+    wire::ToAgent message;
+    message.mutable_read_log()->set_member(member);
+    send(message);
+    log_.reset();
+    log_question_ = {number_, member};
+    newest_log_ = number_;
+  }
+  const auto answer = wait_for_log(patience);
   if (!answer) return std::unexpected(answer.error());
   const wire::AgentLog& log = (*answer)->log();
   robot::Said out;

@@ -57,9 +57,11 @@ class Agent {
   std::expected<std::uint32_t, std::string> bring(const robot::RobotProgram& program);
 
   static constexpr std::uint32_t kNoMember = 0;  ///< number of no robot
-  /// Its log, and what the program of that robot wrote; also before `open`.
+  /// Its log, and what the program of that robot wrote; also before `open`. An answer that takes longer is
+  /// kept for the next call, and holds nothing else up.
+  /// @param patience  so long it is waited for [s]
   /// @errors  a sentence
-  std::expected<robot::Said, std::string> said(std::uint32_t member);
+  std::expected<robot::Said, std::string> said(std::uint32_t member, double patience = 10.0);
 
   /// The answer to a message. Valid until the next call.
   /// @errors  why there is none, as a sentence
@@ -76,6 +78,12 @@ class Agent {
   void fail(std::string why) { link_->fail(std::move(why)); }
 
  private:
+  /// A question for what was said: the only one that others may overtake.
+  struct LogQuestion {
+    std::uint64_t number = 0;  // 0: none is under way
+    std::uint32_t member = 0;
+  };
+  std::expected<const wire::FromAgent*, std::string> wait_for_log(double patience);
   void send(wire::ToAgent& message);
   const wire::FromAgent* receive(wire::FromAgent::BodyCase wanted, double patience,
                                  const robot::Meanwhile& meanwhile);
@@ -88,6 +96,9 @@ class Agent {
   Patience patience_;
   std::optional<robot::ExecutableOrigin> offered_;
   std::uint64_t number_ = 0;
+  LogQuestion log_question_;
+  std::uint64_t newest_log_ = 0;        // number of the last of them
+  std::optional<wire::FromAgent> log_;  // that came to `log_question_` while something else was waited for
   // Kept alive by their keys, so that no other program comes to have the address of one of them.
   std::map<std::shared_ptr<const flow::Program>, std::expected<std::uint32_t, std::string>> brought_;
   std::string bytes_;

@@ -14,6 +14,7 @@
 namespace mlab::robot_remote {
 namespace {
 
+constexpr double kGlanceAtLog = 0.3;    // who reads what was said keeps the run waiting for no longer [s]
 constexpr std::size_t kSentence = 400;  // characters that an agent may say of a robot
 
 // One that does not answer carries nothing any more.
@@ -131,8 +132,10 @@ std::optional<std::string> RemoteRunner::put(Robot& robot, bool begins) const {
   encode(frame.data(), frame.size(), robot.values.workings().interventions, *put.mutable_state());
   const auto answer = robot.carrier->agent->ask(message, wire::FromAgent::kDone);
   if (!answer) return fmt::format("can't be reached: {}", answer.error());
-  if (const std::string& problem = (*answer)->done().problem(); !problem.empty())
-    return text::shown(problem, kSentence);
+  if (const std::string& problem = (*answer)->done().problem(); !problem.empty()) {
+    const std::string what = text::shown(problem, kSentence);
+    return begins ? fmt::format("can't begin on `{}`: {}", robot.carrier->agent->name(), what) : what;
+  }
   robot.needs = robot::bounded(robot_wire::needs_of((*answer)->done().needs()));
   robot.known = cycle_;
   return std::nullopt;
@@ -247,7 +250,7 @@ std::expected<robot::Said, std::string> RemoteRunner::said(Member member) {
   if (const double silent = robot.carrier->agent->silence(); silent > 0.0)
     return std::unexpected(
         fmt::format("the agent on `{}` has been silent for {:.0f} s", robot.carrier->agent->name(), silent));
-  return robot.carrier->agent->said(robot.number);
+  return robot.carrier->agent->said(robot.number, kGlanceAtLog);
 }
 
 std::vector<robot::SilentMachine> RemoteRunner::silent_machines() const {
