@@ -187,3 +187,44 @@ test("what if offers the fences that are the robot's, in a panel that long names
     await expect.poll(() => body.evaluate((one) => one.scrollWidth - one.clientWidth)).toBe(0);
   }
 });
+
+const kSteered = `MISSION NAME "steered"
+OVERLAY demo_c.odl
+FAILSAFE PERCEPTS-STALE AFTER 1 STOP
+FAILSAFE OPERATOR-ABSENT AFTER 2 RETURN
+UNIT <a> ROBOT
+COMMAND LIST:
+  0. UNIT a START 60 100
+  1. UNIT a MOVETO 90 100
+  2. UNIT a TELEOPERATE 150 100
+`;
+
+test("a robot that nobody steers goes home, and its row says why it does or doesn't count", async () => {
+  const { console } = await begin({
+    mission: "demo_c",
+    prepare: (folder) => {
+      folder.write("demo_c.mdl", kSteered);
+      folder.write("demo_c.odl", kOverlay);
+    },
+    options: ["--speed", "4"],
+  });
+  await console.reaches("Ready");
+  await console.select("Robot 1");
+  const panel = await console.panel("Failsafes");
+  const stale = panel.getByTestId("failsafe-1");
+  const absent = panel.getByTestId("failsafe-2");
+  await stale.getByText("looked at in real time only").waitFor();
+  await absent.getByText("looked at under teleoperation only").waitFor();
+
+  const whatIf = panel.getByRole("region", { name: "What if?" });
+  await whatIf.getByText("Percepts stale").click();
+  await whatIf.getByText("Operator absent").click();
+  await whatIf.getByRole("button", { name: "Try it" }).click();
+  await whatIf.getByRole("status").getByText("OPERATOR-ABSENT AFTER 2 RETURN acts").waitFor();
+
+  await console.main.click();
+  const told = /Robot 1: .FAILSAFE OPERATOR-ABSENT AFTER 2 RETURN. acts/;
+  await console.page.getByText(told).first().waitFor();
+  await console.panel("Failsafes"); // it made place for Steer
+  await absent.getByText("Active", { exact: true }).waitFor();
+});
