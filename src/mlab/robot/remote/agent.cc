@@ -73,10 +73,8 @@ const wire::FromAgent* Agent::receive(wire::FromAgent::BodyCase wanted, double p
         link_->fail("answers what is no message of the agents' protocol");
       else if (answer_.number() == log_question_.number && answer_.number() < number_)
         log_ = answer_;
-      else if (live_ && answer_.number() < number_)
-        continue;  // to what was given up while it was cut off
-      else if (answer_.number() < number_ && answer_.number() <= newest_log_)
-        continue;
+      else if (answer_.number() < number_ && (live_ || answer_.number() <= newest_log_))
+        continue;  // to what was given up while it was cut off, or to who read what was said
       else if (answer_.number() != number_ || (answer_.body_case() != wanted && !answer_.has_refusal()))
         link_->fail("answers something else than it was asked");
       else if (answer_.refusal().is_unknown())
