@@ -21,6 +21,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"cell", {"base", "text"}},
     {"dds", {"base", "text"}},
     {"keys", {"dds"}},
+    {"mcap", {"base", "text"}},
     {"percept", {"geom"}},
     {"flow", {"percept", "text"}},
     {"robot/wire", {"flow"}},

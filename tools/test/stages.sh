@@ -52,19 +52,21 @@ stage_web() {
 }
 stage_browser() { MLAB_COMMAND=$build/test/bin/mlab MLAB_MISSIONS=$root/missions web_scripts browser; }
 stage_repo() { run_ctest "$build/test" -L repo; }
-# Installs the interpreter that executes exported state charts, where the tests look for it.
-install_scxml_interpreter() (
+# install_peers FOLDER TARGET: installs the packages of npm that tests of a folder run beside ours, where those look for them.
+install_peers() (
   source "$root/tools/web/node.sh"
   find_node "$build/web"
-  mkdir -p "$build/test/scxml"
-  cd "$build/test/scxml"
-  cmp -s "$root/tests/exports/package-lock.json" node_modules/.installed-lock && exit 0
-  cp "$root"/tests/exports/{package.json,package-lock.json,.npmrc} .
-  npm ci --prefer-offline --no-audit --no-fund --no-update-notifier && cp package-lock.json node_modules/.installed-lock
+  mkdir -p "$2"
+  cd "$2"
+  cmp -s "$root/$1/package-lock.json" node_modules/.installed-lock && exit 0
+  cp "$root/$1"/{package.json,package-lock.json,.npmrc} .
+  npm ci --prefer-offline --ignore-scripts --no-audit --no-fund --no-update-notifier && cp package-lock.json node_modules/.installed-lock
 )
 
 stage_e2e() {
-  install_scxml_interpreter || echo "npm could not install the SCXML interpreter (offline?); its test is skipped"
+  install_peers tests/exports "$build/test/scxml" ||
+    echo "npm could not install the SCXML interpreter (offline?); its test is skipped"
+  install_peers tests/mcap "$build/test/mcap_peers" || echo "npm could not install readers of MCAP (offline?); their tests are skipped"
   run_ctest "$build/test" -L e2e
 }
 
