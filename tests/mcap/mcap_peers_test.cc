@@ -52,13 +52,14 @@ class McapPeers : public ::testing::Test {
 
   // What a script beside this file prints; empty where it fails, which the test then says.
   static std::string printed(const std::string& script, const std::string& arguments) {
-    const std::string command =
-        fmt::format("node '{}' '{}' {} 2>&1",
-                    (fs::path(base::source_folder()) / "tests/mcap" / script).string(), MLAB_MCAP_FOLDER, arguments);
+    const std::string command = fmt::format(
+        "node '{}' '{}' {} 2>&1", (fs::path(base::source_folder()) / "tests/mcap" / script).string(),
+        MLAB_MCAP_FOLDER, arguments);
     FILE* const pipe = ::popen(command.c_str(), "r");
     std::string out;
     std::array<char, 4096> buffer{};
-    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) out.append(buffer.data(), n);
+    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+      out.append(buffer.data(), n);
     const int status = ::pclose(pipe);
     EXPECT_EQ(status, 0) << out;
     return status == 0 ? out : "";
@@ -93,15 +94,17 @@ class McapPeers : public ::testing::Test {
     ASSERT_TRUE(reader);
     const std::uint64_t start = reader->summary().start_time;
     const std::uint64_t end = reader->summary().end_time;
-    const auto middle = testing::all(*reader, {.topics = {"/poses", "/log"},
-                                               .from = (2 * start + end) / 3,
-                                               .to = (start + 2 * end) / 3});
+    const auto middle = testing::all(
+        *reader, {.topics = {"/poses", "/log"}, .from = (2 * start + end) / 3, .to = (start + 2 * end) / 3});
     EXPECT_FALSE(middle.empty());
     EXPECT_EQ(is["middle"], json_of(middle));
-    EXPECT_EQ(is["attachments"], Json::parse(R"([{"name": "mission.mdl", "media_type": "text/plain", "log_time": 5,
+    EXPECT_EQ(is["attachments"],
+              Json::parse(R"([{"name": "mission.mdl", "media_type": "text/plain", "log_time": 5,
                                                   "data": "UNIT scouts MOVETO ATK-AP1\n"}])"));
-    EXPECT_EQ(is["metadata"], Json::parse(R"([{"name": "versions", "values": {"library": "3", "seed": "7"}}])"));
-    EXPECT_EQ(is["channels"], Json::parse(R"([["/poses", "json", "m"], ["/events", "json", "m"], ["/log", "json", "m"]])"));
+    EXPECT_EQ(is["metadata"],
+              Json::parse(R"([{"name": "versions", "values": {"library": "3", "seed": "7"}}])"));
+    EXPECT_EQ(is["channels"],
+              Json::parse(R"([["/poses", "json", "m"], ["/events", "json", "m"], ["/log", "json", "m"]])"));
   }
 
   testing::ScratchFile scratch;

@@ -34,7 +34,9 @@ Compressor::Compressor(int level) : state_(std::make_unique<State>()) {
   ZSTD_CCtx_setParameter(state_->context, ZSTD_c_compressionLevel, level);
 }
 
-Compressor::~Compressor() { ZSTD_freeCCtx(state_->context); }
+Compressor::~Compressor() {
+  ZSTD_freeCCtx(state_->context);
+}
 
 std::span<const std::byte> Compressor::compressed(std::span<const std::byte> bytes) {
   const std::span<std::byte> to = state_->room.of(ZSTD_compressBound(bytes.size()));
@@ -56,14 +58,16 @@ std::expected<std::span<const std::byte>, std::string> records_of(const ChunkRec
                                          head.uncompressed_size, chunk.records.size()));
     const std::span<std::byte> to = room.of(static_cast<std::size_t>(head.uncompressed_size));
     // It never writes past its room, so whatever else would come out is an error, not memory.
-    const std::size_t size = ZSTD_decompress(to.data(), to.size(), chunk.records.data(), chunk.records.size());
+    const std::size_t size =
+        ZSTD_decompress(to.data(), to.size(), chunk.records.data(), chunk.records.size());
     if (ZSTD_isError(size) != 0)
       return std::unexpected(
           fmt::format("a chunk that can't be decompressed by zstd: {}", ZSTD_getErrorName(size)));
     records = to.first(size);
   } else if (!head.compression.empty()) {
-    return std::unexpected(fmt::format(
-        "a chunk compressed by `{}`, and this program reads `zstd` and uncompressed ones", text::shown(head.compression)));
+    return std::unexpected(
+        fmt::format("a chunk compressed by `{}`, and this program reads `zstd` and uncompressed ones",
+                    text::shown(head.compression)));
   }
   if (records.size() != head.uncompressed_size)
     return std::unexpected(fmt::format("a chunk that says it has {} bytes uncompressed, and has {}",

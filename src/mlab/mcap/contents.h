@@ -20,8 +20,8 @@ namespace mlab::mcap {
 struct Piece {
   std::uint64_t offset = 0;
   std::uint64_t length = 0;
-  std::uint64_t start_time = 0;  ///< no message of it is earlier [ns]
-  std::uint64_t end_time = 0;    ///< nor later [ns]
+  std::uint64_t start_time = 0;     ///< no message of it is earlier [ns]
+  std::uint64_t end_time = 0;       ///< nor later [ns]
   std::vector<ChannelId> channels;  ///< sorted; of a chunk without message indexes none: nobody knows
   bool is_chunk = true;
 };

@@ -25,7 +25,9 @@ std::span<const std::byte> Cursor::take(std::uint64_t size) {
   return out;
 }
 
-std::span<const std::byte> Cursor::sized() { return take(number<std::uint32_t>()); }
+std::span<const std::byte> Cursor::sized() {
+  return take(number<std::uint32_t>());
+}
 
 std::string_view Cursor::text() {
   const std::span<const std::byte> bytes = sized();

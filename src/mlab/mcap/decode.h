@@ -55,7 +55,7 @@ struct ChunkRecord {
 
 /// What can be said of an attachment without its data.
 struct AttachmentHead {
-  AttachmentIndex index;       ///< without offset and length
+  AttachmentIndex index;      ///< without offset and length
   std::uint64_t data_at = 0;  ///< in the content
 };
 

@@ -31,7 +31,9 @@ void put_text(Buffer& out, std::string_view text) {
   put_bytes(out, std::as_bytes(std::span(text)));
 }
 
-void put_id(Buffer& out, std::uint32_t id) { put(out, static_cast<std::uint16_t>(id)); }
+void put_id(Buffer& out, std::uint32_t id) {
+  put(out, static_cast<std::uint16_t>(id));
+}
 
 /// A record whose length is known once its content stands there.
 class Record {
@@ -171,7 +173,9 @@ std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before) {
       ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-void append_magic(Buffer& out) { put_bytes(out, std::as_bytes(std::span(kMagic))); }
+void append_magic(Buffer& out) {
+  put_bytes(out, std::as_bytes(std::span(kMagic)));
+}
 
 void append(Buffer& out, const Header& header) {
   const Record record(out, Opcode::kHeader);

@@ -29,9 +29,10 @@ Script any_script() {
   const auto count = *rc::gen::inRange<std::size_t>(0, 60);
   for (std::size_t i = 0; i < count; ++i) {
     const auto* const topic = *rc::gen::element("/poses", "/events", "/log");
-    const auto time = *rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(0, 20), rc::gen::arbitrary<std::uint64_t>());
-    out.messages.push_back({topic, *rc::gen::arbitrary<std::uint32_t>(), time, *rc::gen::arbitrary<std::uint64_t>(),
-                            *rc::gen::string<std::string>()});
+    const auto time =
+        *rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(0, 20), rc::gen::arbitrary<std::uint64_t>());
+    out.messages.push_back({topic, *rc::gen::arbitrary<std::uint32_t>(), time,
+                            *rc::gen::arbitrary<std::uint64_t>(), *rc::gen::string<std::string>()});
   }
   out.per_flush = *rc::gen::inRange<std::size_t>(1, 30);
   out.options.chunk_bytes = *rc::gen::inRange<std::size_t>(0, 2000);
@@ -179,13 +180,13 @@ bool is_left_of(const std::vector<Said>& is, const std::vector<Said>& whole) {
 }
 
 TEST(McapLaws, AByteThatWasChangedNeverMakesAnotherMessage) {
-  Script script = script_of(20);
+  Script script = script_of(9);
   for (const bool is_compressed : {true, false}) {
     script.options.is_compressed = is_compressed;
     const Buffer file = file_of(script);
     const std::vector<Said> whole = in_order(script.messages);
     for (std::size_t at = 0; at < file.size(); ++at) {
-      for (const unsigned char flip : {0x01, 0x80, 0xff}) {
+      for (const unsigned char flip : {0x01, 0xff}) {
         Buffer changed = file;
         changed[at] ^= static_cast<std::byte>(flip);
         for (const bool is_open : {false, true}) {

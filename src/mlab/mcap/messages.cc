@@ -45,8 +45,8 @@ Messages::Messages(std::shared_ptr<const Source> source, std::shared_ptr<const C
       to_(selection.to) {
   limits_.chunk_bytes = std::min<std::uint64_t>(limits_.chunk_bytes, UINT32_MAX);
   for (const auto& [id, channel] : contents_->summary.channels) {
-    const bool is_wanted = selection.topics.empty() || std::ranges::find(selection.topics, channel.topic) !=
-                                                           selection.topics.end();
+    const bool is_wanted = selection.topics.empty() ||
+                           std::ranges::find(selection.topics, channel.topic) != selection.topics.end();
     if (!is_wanted) continue;
     wanted_.resize(std::max<std::size_t>(wanted_.size(), id.value + 1));
     wanted_[id.value] = true;
@@ -114,7 +114,8 @@ std::optional<std::string> Messages::open(const Piece& piece) {
   std::unique_ptr<Open> out = spare_.empty() ? std::make_unique<Open>() : std::move(spare_.back());
   if (!spare_.empty()) spare_.pop_back();
   auto problem = load(piece, *out);
-  out->bytes = out->file_bytes.capacity() + out->room.capacity() + out->entries.capacity() * sizeof(Open::Entry);
+  out->bytes =
+      out->file_bytes.capacity() + out->room.capacity() + out->entries.capacity() * sizeof(Open::Entry);
   if (!problem && open_bytes_ + out->bytes > limits_.open_bytes)
     problem = fmt::format("so many chunks overlap in time that more than {} bytes would have to be kept",
                           limits_.open_bytes);
@@ -154,22 +155,24 @@ std::optional<std::string> Messages::list(const Piece& piece, std::span<const st
   out.records = records;
   out.entries.clear();
   const auto& channels = contents_->summary.channels;
-  auto problem = each_record(records, [&](Opcode opcode, std::span<const std::byte> content,
-                                          std::size_t offset) -> std::optional<std::string> {
-    if (opcode != Opcode::kMessage) return std::nullopt;
-    const auto message = decode_message(content);
-    if (!message) return "a message in it is not whole";
-    const std::uint64_t time = message->log_time;
-    if (time < piece.start_time || time > piece.end_time)
-      return fmt::format("a message of time {} in a chunk that is said to hold those from {} to {}", time,
-                         piece.start_time, piece.end_time);
-    if (is_wanted(message->channel)) {
-      if (time >= from_ && time <= to_) out.entries.push_back({time, static_cast<std::uint32_t>(offset)});
-    } else if (!channels.contains(message->channel)) {
-      return fmt::format("a message of channel {}, which nothing describes", message->channel.value);
-    }
-    return std::nullopt;
-  });
+  auto problem = each_record(
+      records,
+      [&](Opcode opcode, std::span<const std::byte> content,
+          std::size_t offset) -> std::optional<std::string> {
+        if (opcode != Opcode::kMessage) return std::nullopt;
+        const auto message = decode_message(content);
+        if (!message) return "a message in it is not whole";
+        const std::uint64_t time = message->log_time;
+        if (time < piece.start_time || time > piece.end_time)
+          return fmt::format("a message of time {} in a chunk that is said to hold those from {} to {}", time,
+                             piece.start_time, piece.end_time);
+        if (is_wanted(message->channel)) {
+          if (time >= from_ && time <= to_) out.entries.push_back({time, static_cast<std::uint32_t>(offset)});
+        } else if (!channels.contains(message->channel)) {
+          return fmt::format("a message of channel {}, which nothing describes", message->channel.value);
+        }
+        return std::nullopt;
+      });
   if (!std::ranges::is_sorted(out.entries, {}, &Open::Entry::log_time))
     std::ranges::stable_sort(out.entries, {}, &Open::Entry::log_time);
   return problem;

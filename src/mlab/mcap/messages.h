@@ -21,8 +21,8 @@ struct Piece;
 /// Which messages of a file are wanted.
 struct Selection {
   std::vector<std::string> topics = {};  ///< of all channels with one of these topics; empty: all
-  std::uint64_t from = 0;           ///< the earliest log time [ns]
-  std::uint64_t to = UINT64_MAX;    ///< the latest log time, included [ns]
+  std::uint64_t from = 0;                ///< the earliest log time [ns]
+  std::uint64_t to = UINT64_MAX;         ///< the latest log time, included [ns]
 };
 
 /// Messages of a file, in the order of their log times; equal ones in the order of the file. Only chunks that
@@ -43,9 +43,7 @@ class Messages {
  private:
   struct Open;
 
-  bool is_wanted(ChannelId channel) const {
-    return channel.value < wanted_.size() && wanted_[channel.value];
-  }
+  bool is_wanted(ChannelId channel) const { return channel.value < wanted_.size() && wanted_[channel.value]; }
   bool may_have_some(const Piece& piece) const;
   bool has_to_open() const;
   std::optional<std::string> open(const Piece& piece);
@@ -58,9 +56,9 @@ class Messages {
   Limits limits_;
   std::uint64_t from_ = 0;
   std::uint64_t to_ = 0;
-  std::vector<bool> wanted_;           // by the number of a channel
-  std::vector<const Piece*> waiting_;  // by their first time, the earliest last
-  std::vector<std::unique_ptr<Open>> open_;  // a heap, the earliest first
+  std::vector<bool> wanted_;                  // by the number of a channel
+  std::vector<const Piece*> waiting_;         // by their first time, the earliest last
+  std::vector<std::unique_ptr<Open>> open_;   // a heap, the earliest first
   std::vector<std::unique_ptr<Open>> spare_;  // their memory is used again
   std::uint64_t open_bytes_ = 0;
   Message message_;

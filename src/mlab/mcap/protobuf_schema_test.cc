@@ -29,8 +29,9 @@ TEST(ProtobufSchema, IsEnoughToReadAMessageWithoutItsProgram) {
     ASSERT_NE(pool.BuildFile(file), nullptr) << file.name() << " needs what does not stand in front of it";
     names.push_back(file.name());
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"google/protobuf/source_context.proto", "google/protobuf/any.proto",
-                                             "google/protobuf/type.proto", "google/protobuf/api.proto"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"google/protobuf/source_context.proto", "google/protobuf/any.proto",
+                                      "google/protobuf/type.proto", "google/protobuf/api.proto"}));
 
   pb::Api api;
   api.set_name("robots");

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kLongestName = 200;
 
-std::unexpected<text::Diagnostic> refused(const char* kind, const std::string& file, const std::string& what) {
+std::unexpected<text::Diagnostic> refused(const char* kind, const std::string& file,
+                                          const std::string& what) {
   return std::unexpected(text::Diagnostic{text::Severity::kError,
                                           kind,
                                           fmt::format("`{}`: {}", text::shown(file, kLongestName), what),
@@ -58,7 +59,8 @@ std::expected<Buffer, std::string> content_at(const Source& source, std::uint64_
 
 template <class Index>
 const Index* last_named(const std::vector<Index>& all, std::string_view name) {
-  const auto found = std::find_if(all.rbegin(), all.rend(), [&](const Index& one) { return one.name == name; });
+  const auto found =
+      std::find_if(all.rbegin(), all.rend(), [&](const Index& one) { return one.name == name; });
   return found == all.rend() ? nullptr : &*found;
 }
 
@@ -99,9 +101,15 @@ text::Result<Reader> Reader::over(std::shared_ptr<const Source> source, std::str
                 limits);
 }
 
-const Header& Reader::header() const { return contents_->header; }
-const Summary& Reader::summary() const { return contents_->summary; }
-const Ending& Reader::ending() const { return contents_->ending; }
+const Header& Reader::header() const {
+  return contents_->header;
+}
+const Summary& Reader::summary() const {
+  return contents_->summary;
+}
+const Ending& Reader::ending() const {
+  return contents_->ending;
+}
 
 Messages Reader::messages(const Selection& selection) const {
   return {source_, contents_, limits_, selection};
@@ -114,9 +122,11 @@ text::Result<Attachment> Reader::attachment(std::string_view name) const {
 
 text::Result<Attachment> Reader::attachment(const AttachmentIndex& index) const {
   const auto problem = [&](const std::string& what) {
-    return refused("no-attachment", name_, fmt::format("the attachment `{}`: {}", text::shown(index.name), what));
+    return refused("no-attachment", name_,
+                   fmt::format("the attachment `{}`: {}", text::shown(index.name), what));
   };
-  const auto content = content_at(*source_, limits_.attachment_bytes, Opcode::kAttachment, index.offset, index.length);
+  const auto content =
+      content_at(*source_, limits_.attachment_bytes, Opcode::kAttachment, index.offset, index.length);
   if (!content) return problem(content.error());
   auto out = attachment_of(*content);
   if (!out) return problem(out.error());
@@ -132,7 +142,8 @@ text::Result<Metadata> Reader::metadata(const MetadataIndex& index) const {
   const auto problem = [&](const std::string& what) {
     return refused("no-metadata", name_, fmt::format("the metadata `{}`: {}", text::shown(index.name), what));
   };
-  const auto content = content_at(*source_, limits_.definition_bytes, Opcode::kMetadata, index.offset, index.length);
+  const auto content =
+      content_at(*source_, limits_.definition_bytes, Opcode::kMetadata, index.offset, index.length);
   if (!content) return problem(content.error());
   auto out = decode_metadata(*content);
   if (!out) return problem("they are not whole");

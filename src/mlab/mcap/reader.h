@@ -25,8 +25,8 @@ namespace mlab::mcap {
 /// that is whole in front of the cut is there, and `ending` says how far and why no further.
 ///
 /// Whoever wrote the file: nothing in it makes a reader crash, throw, or take more memory than `Limits` say.
-/// What has a checksum and was changed is never given. Several threads may use one reader; an iterator belongs
-/// to one.
+/// What has a checksum and was changed is never given. Several threads may use one reader; an iterator
+/// belongs to one.
 class Reader {
  public:
   /// @errors  `cannot-read`: the system's reason; `no-mcap`: what the file is instead

@@ -68,9 +68,10 @@ std::string damage_of(const Buffer& file) {
 
 TEST(McapReader, SaysWhatAFileIsInsteadOfMcap) {
   EXPECT_EQ(problem_with(""), "`run.mcap`: it is empty");
-  EXPECT_EQ(problem_with("#ROSBAG V2.0\n"),
-            "`run.mcap`: it begins with `#ROSBAG `, and an MCAP file with `\\x89MCAP0\\x0d\\x0a`: it is another "
-            "kind of file");
+  EXPECT_EQ(
+      problem_with("#ROSBAG V2.0\n"),
+      "`run.mcap`: it begins with `#ROSBAG `, and an MCAP file with `\\x89MCAP0\\x0d\\x0a`: it is another "
+      "kind of file");
   EXPECT_EQ(problem_with("\x89MCAP1\r\n"),
             "`run.mcap`: it is MCAP of version `1`, and this program reads version `0`");
   EXPECT_EQ(problem_with("\x89MCA"),
@@ -206,12 +207,14 @@ TEST(McapReader, RefusesChunksThatItCanNotDecompressByTheirName) {
 
 TEST(McapReader, BelievesNoSizeThatAChunkSays) {
   const Buffer records = records_of({message(7, 1)});
-  const auto damage = [&](std::span<const std::byte> bytes, std::string_view compression, std::uint64_t size) {
+  const auto damage = [&](std::span<const std::byte> bytes, std::string_view compression,
+                          std::uint64_t size) {
     Buffer file = beginning();
     append_chunk(file, bytes, compression, size);
     return damage_of(file);
   };
-  EXPECT_EQ(damage(records, "", records.size() + 1), "a chunk that says it has 33 bytes uncompressed, and has 32");
+  EXPECT_EQ(damage(records, "", records.size() + 1),
+            "a chunk that says it has 33 bytes uncompressed, and has 32");
   EXPECT_EQ(damage(records, "", UINT64_MAX),
             "a chunk of 18446744073709551615 bytes, where 67108864 are the most that is read");
   EXPECT_EQ(damage(bytes_of("tiny"), "zstd", std::uint64_t{60} << 20),
@@ -261,10 +264,12 @@ TEST(McapReader, GoesOnBehindAChunkThatIsBroken) {
     said.push_back(one ? "" : one.error().message);
   ASSERT_EQ(said.size(), 10U);
   EXPECT_EQ(std::ranges::count(said, ""), 9);
-  EXPECT_EQ(std::ranges::count_if(said, [&](const std::string& one) {
-              return one.starts_with(fmt::format("at byte {}: a chunk ", second.offset));
-            }),
-            1);
+  EXPECT_EQ(
+      std::ranges::count_if(said,
+                            [&](const std::string& one) {
+                              return one.starts_with(fmt::format("at byte {}: a chunk ", second.offset));
+                            }),
+      1);
 }
 
 TEST(McapReader, ASummaryThatNamesPlacesOutsideOfTheFileIsNotFollowed) {

@@ -91,7 +91,7 @@ struct Attachment {
   std::string media_type = {};
   std::uint64_t log_time = 0;     ///< [ns]
   std::uint64_t create_time = 0;  ///< [ns], 0 where nobody knows
-  std::string data = {};               ///< bytes
+  std::string data = {};          ///< bytes
 
   friend bool operator==(const Attachment&, const Attachment&) = default;
 };
@@ -144,7 +144,7 @@ struct MetadataIndex {
 struct Summary {
   std::map<SchemaId, Schema> schemas;
   std::map<ChannelId, Channel> channels;
-  std::vector<ChunkIndex> chunks;            ///< in the order of the file, as the others
+  std::vector<ChunkIndex> chunks;  ///< in the order of the file, as the others
   std::vector<AttachmentIndex> attachments;
   std::vector<MetadataIndex> metadata;
   std::uint64_t message_count = 0;

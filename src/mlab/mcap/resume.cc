@@ -99,9 +99,7 @@ std::expected<Writer::Resumed, WriteError> Writer::resume(const std::string& pat
     return std::unexpected(not_resumed(path, opened.error, system_reason(opened.error)));
   const std::uint64_t size = opened.sink->size();
   const auto source = source_of(opened.sink->descriptor(), size);
-  const auto state_of = [&] {
-    return std::make_unique<State>(std::move(opened.sink), path, options);
-  };
+  const auto state_of = [&] { return std::make_unique<State>(std::move(opened.sink), path, options); };
   if (ends_before_header(*source)) {
     if (const int error = opened.sink->cut(0); error != 0)
       return std::unexpected(not_resumed(path, error, system_reason(error)));

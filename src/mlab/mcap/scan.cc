@@ -115,10 +115,10 @@ class Scanner {
   Window window_;
   Room room_;
   Scan out_;
-  std::vector<FoundMessage> found_;  // in the chunk that is being looked at
-  std::vector<FoundMessage> last_;   // in the last sound chunk
+  std::vector<FoundMessage> found_;       // in the chunk that is being looked at
+  std::vector<FoundMessage> last_;        // in the last sound chunk
   std::vector<ChannelId> last_channels_;  // of these, sorted
-  bool has_last_ = false;            // nothing sound but indexes stands behind that
+  bool has_last_ = false;                 // nothing sound but indexes stands behind that
   std::uint64_t definition_bytes_ = 0;
   bool is_behind_chunk_ = false;  // a sound one, with nothing but indexes between
 };
@@ -131,7 +131,8 @@ std::optional<Place> Scanner::next(std::uint64_t at) {
     return std::nullopt;
   }
   if (left < kRecordHead) {
-    why = fmt::format("the file ends with {} of the {} bytes of a record's head: it was cut off", left, kRecordHead);
+    why = fmt::format("the file ends with {} of the {} bytes of a record's head: it was cut off", left,
+                      kRecordHead);
     return std::nullopt;
   }
   const auto bytes = window_.at(at, kRecordHead);
@@ -251,7 +252,8 @@ Scanner::Problem Scanner::take_message(std::span<const std::byte> content, std::
   const std::optional<Message> message = decode_message(content);
   if (!message) return "a message that is not whole";
   if (!summary().channels.contains(message->channel))
-    return fmt::format("a message of channel {}, which nothing in front of it describes", message->channel.value);
+    return fmt::format("a message of channel {}, which nothing in front of it describes",
+                       message->channel.value);
   found_.push_back({message->channel, {message->log_time, offset}});
   return std::nullopt;
 }
@@ -272,8 +274,10 @@ Scanner::Problem Scanner::take_chunk(const Place& place) {
     if (!is_readable || chunk->head.uncompressed_size > limits_.chunk_bytes) out_.foreign = records.error();
     return records.error();
   }
-  if (Problem problem = each_record(*records, [&](Opcode opcode, std::span<const std::byte> one,
-                                                  std::size_t offset) { return take_record(opcode, one, offset); }))
+  if (Problem problem =
+          each_record(*records, [&](Opcode opcode, std::span<const std::byte> one, std::size_t offset) {
+            return take_record(opcode, one, offset);
+          }))
     return "a chunk that is broken: " + *problem;
   finish_chunk(place, chunk->head);
   return std::nullopt;
@@ -323,7 +327,8 @@ void Scanner::settle_indexes() {
 
 Scanner::Problem Scanner::take_message_index(const Place& place) {
   if (!is_behind_chunk_) return std::nullopt;
-  const auto head = window_.at(place.content, static_cast<std::size_t>(std::min<std::uint64_t>(place.length, 2)));
+  const auto head =
+      window_.at(place.content, static_cast<std::size_t>(std::min<std::uint64_t>(place.length, 2)));
   if (!head) return head.error();
   Cursor cursor(*head);
   const ChannelId channel = cursor.channel();
@@ -336,14 +341,15 @@ Scanner::Problem Scanner::take_message_index(const Place& place) {
 
 // They have no checksum. Among chunks, where none may be, one is rather another record that was changed.
 Scanner::Problem Scanner::take_loose(const Place& place) {
-  if (!summary().chunks.empty()) return "a message outside of chunks, in a file that has its messages in chunks";
+  if (!summary().chunks.empty())
+    return "a message outside of chunks, in a file that has its messages in chunks";
   if (out_.foreign.empty())
     out_.foreign = fmt::format("a message outside of chunks stands at byte {}", place.begin);
   if (place.length > limits_.chunk_bytes)
     return fmt::format("a message of {} bytes, where {} are the most that is read", place.length,
                        limits_.chunk_bytes);
-  const auto head =
-      window_.at(place.content, static_cast<std::size_t>(std::min<std::uint64_t>(place.length, kMessageHead)));
+  const auto head = window_.at(place.content,
+                               static_cast<std::size_t>(std::min<std::uint64_t>(place.length, kMessageHead)));
   if (!head) return head.error();
   found_.clear();
   if (Problem problem = take_message(*head, 0)) return problem;

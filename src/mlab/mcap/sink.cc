@@ -42,9 +42,13 @@ FileSink::Opened FileSink::create(const std::string& path) {
   return out;
 }
 
-FileSink::Opened FileSink::open(const std::string& path) { return open_with(path, 0); }
+FileSink::Opened FileSink::open(const std::string& path) {
+  return open_with(path, 0);
+}
 
-FileSink::~FileSink() { static_cast<void>(close()); }
+FileSink::~FileSink() {
+  static_cast<void>(close());
+}
 
 int FileSink::append(std::span<const std::byte> bytes) {
   if (is_past_limit(at_, bytes.size())) return EFBIG;
@@ -65,7 +69,9 @@ int FileSink::cut(std::uint64_t size) {
   return 0;
 }
 
-int FileSink::sync() { return ::fdatasync(fd_) == 0 ? 0 : errno; }
+int FileSink::sync() {
+  return ::fdatasync(fd_) == 0 ? 0 : errno;
+}
 
 int FileSink::close() {
   const int fd = std::exchange(fd_, -1);

@@ -64,13 +64,14 @@ class MemorySource final : public Source {
 
 text::Result<std::shared_ptr<const Source>> open_source(const std::string& path) {
   const auto failed = [&](const std::string& why) {
-    return std::unexpected(text::Diagnostic{text::Severity::kError,
-                                            "cannot-read",
-                                            fmt::format("`{}` can't be read: {}", text::shown(path, 200), why),
-                                            {},
-                                            {},
-                                            {},
-                                            {}});
+    return std::unexpected(
+        text::Diagnostic{text::Severity::kError,
+                         "cannot-read",
+                         fmt::format("`{}` can't be read: {}", text::shown(path, 200), why),
+                         {},
+                         {},
+                         {},
+                         {}});
   };
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
   if (fd < 0) return failed(std::generic_category().message(errno));

@@ -36,7 +36,8 @@ std::expected<SummaryBytes, std::string> summary_bytes(const Source& source, con
   Buffer end(kEnd);
   if (const int error = source.read(footer_at, end); error != 0) return std::unexpected(read_problem(error));
   if (!is_magic(std::span(end).subspan(kFooterLength)))
-    return std::unexpected("it does not end as its writer ends it: it was cut off, or is still being written");
+    return std::unexpected(
+        "it does not end as its writer ends it: it was cut off, or is still being written");
   Cursor cursor{std::span(end).first(kFooterLength)};
   const auto opcode = static_cast<Opcode>(cursor.number<std::uint8_t>());
   const auto length = cursor.number<std::uint64_t>();
@@ -45,12 +46,14 @@ std::expected<SummaryBytes, std::string> summary_bytes(const Source& source, con
     return std::unexpected("no footer stands at its end");
   if (footer->summary_start == 0) return std::unexpected("it has no summary");
   if (footer->summary_start < kMagic.size() || footer->summary_start > footer_at)
-    return std::unexpected(fmt::format("{}it is said to begin at byte {}", kBrokenSummary, footer->summary_start));
+    return std::unexpected(
+        fmt::format("{}it is said to begin at byte {}", kBrokenSummary, footer->summary_start));
   if (footer_at - footer->summary_start > limits.definition_bytes)
     return std::unexpected(fmt::format("its summary has {} bytes, where {} are the most that is read",
                                        footer_at - footer->summary_start, limits.definition_bytes));
   SummaryBytes out{footer->summary_start, Buffer(footer_at - footer->summary_start)};
-  if (const int error = source.read(out.at, out.records); error != 0) return std::unexpected(read_problem(error));
+  if (const int error = source.read(out.at, out.records); error != 0)
+    return std::unexpected(read_problem(error));
   constexpr std::size_t kCrc = 4;  // of all in front of it
   const std::uint32_t crc = crc32(std::span(end).first(kFooterLength - kCrc), crc32(out.records));
   if (footer->summary_crc != 0 && footer->summary_crc != crc)
@@ -93,11 +96,10 @@ class SummaryTaker {
       return "it does not name all chunks, attachments and metadata";
     if (said.message_count > 0 && summary_.chunks.empty()) return "its messages stand outside of chunks";
     const auto is_known = [&](const auto& one) { return summary_.channels.contains(one.first); };
-    const bool are_channels_known =
-        std::ranges::all_of(said.messages_of, is_known) &&
-        std::ranges::all_of(summary_.chunks, [&](const ChunkIndex& chunk) {
-          return std::ranges::all_of(chunk.message_indexes, is_known);
-        });
+    const bool are_channels_known = std::ranges::all_of(said.messages_of, is_known) &&
+                                    std::ranges::all_of(summary_.chunks, [&](const ChunkIndex& chunk) {
+                                      return std::ranges::all_of(chunk.message_indexes, is_known);
+                                    });
     if (!are_channels_known) return "it does not describe all channels";
     return std::nullopt;
   }
@@ -148,7 +150,8 @@ std::string strange_beginning(std::span<const std::byte> bytes) {
   const std::string_view is(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::string_view wanted(reinterpret_cast<const char*>(kMagic.data()), kMagic.size());
   constexpr std::size_t kVersion = 5;
-  if (is.substr(0, kVersion) == wanted.substr(0, kVersion) && is.substr(kVersion + 1) == wanted.substr(kVersion + 1))
+  if (is.substr(0, kVersion) == wanted.substr(0, kVersion) &&
+      is.substr(kVersion + 1) == wanted.substr(kVersion + 1))
     return fmt::format("it is MCAP of version `{}`, and this program reads version `0`",
                        text::shown(is.substr(kVersion, 1)));
   return fmt::format("it begins with `{}`, and an MCAP file with `{}`: it is another kind of file",
@@ -177,13 +180,14 @@ std::expected<Header, std::string> read_header(const Source& source) {
   const std::uint64_t begin = kMagic.size() + kRecordHead;
   const std::string cut = "it ends before its header does: it was cut off before anything was recorded";
   if (source.size() < begin) return std::unexpected(cut);
-  if (const int error = source.read(kMagic.size(), bytes); error != 0) return std::unexpected(read_problem(error));
+  if (const int error = source.read(kMagic.size(), bytes); error != 0)
+    return std::unexpected(read_problem(error));
   Cursor head(bytes);
   const auto opcode = head.number<std::uint8_t>();
   const auto length = head.number<std::uint64_t>();
   if (opcode != static_cast<std::uint8_t>(Opcode::kHeader) || length > kMostHeaderBytes)
-    return std::unexpected(fmt::format("a record of kind {:#04x} with {} bytes stands first, and should be a header",
-                                       opcode, length));
+    return std::unexpected(fmt::format(
+        "a record of kind {:#04x} with {} bytes stands first, and should be a header", opcode, length));
   if (length > source.size() - begin) return std::unexpected(cut);
   bytes.resize(static_cast<std::size_t>(length));
   if (const int error = source.read(begin, bytes); error != 0) return std::unexpected(read_problem(error));
@@ -202,9 +206,8 @@ std::expected<Contents, std::string> contents_by_summary(const Source& source, c
   const auto bytes = summary_bytes(source, limits);
   if (!bytes) return std::unexpected(bytes.error());
   SummaryTaker taker(bytes->at);
-  auto problem = each_record(bytes->records, [&](Opcode opcode, std::span<const std::byte> content, std::size_t) {
-    return taker.take(opcode, content);
-  });
+  auto problem = each_record(bytes->records, [&](Opcode opcode, std::span<const std::byte> content,
+                                                 std::size_t) { return taker.take(opcode, content); });
   if (!problem) problem = taker.problem();
   if (problem) return std::unexpected(kBrokenSummary + *problem);
   Contents out;

@@ -28,8 +28,8 @@ std::expected<Writer, WriteError> Writer::create(const std::string& path, const 
     const std::string why = opened.error == EWOULDBLOCK ? "another process is writing it"
                             : opened.error == EINVAL    ? "it is no ordinary file"
                                                         : std::generic_category().message(opened.error);
-    return std::unexpected(
-        WriteError{opened.error, fmt::format("`{}` can't be written: {}", text::shown(path, 200), why), 0, 0, 0});
+    return std::unexpected(WriteError{
+        opened.error, fmt::format("`{}` can't be written: {}", text::shown(path, 200), why), 0, 0, 0});
   }
   auto state = std::make_unique<State>(std::move(opened.sink), path, options);
   if (auto written = state->begin(options.header); !written) return std::unexpected(written.error());
@@ -48,13 +48,29 @@ std::expected<SchemaId, WriteError> Writer::add_schema(const Schema& schema) {
 std::expected<ChannelId, WriteError> Writer::add_channel(const Channel& channel) {
   return state_->add_channel(channel);
 }
-Written Writer::write(const Message& message) { return state_->write(message); }
-Written Writer::attach(const Attachment& attachment) { return state_->attach(attachment); }
-Written Writer::add(const Metadata& metadata) { return state_->add(metadata); }
-Written Writer::flush() { return state_->flush(); }
-Written Writer::sync() { return state_->sync(); }
-Written Writer::close() { return state_->close(); }
-const Summary& Writer::summary() const { return state_->summary(); }
-const WriteError* Writer::failure() const { return state_->failure(); }
+Written Writer::write(const Message& message) {
+  return state_->write(message);
+}
+Written Writer::attach(const Attachment& attachment) {
+  return state_->attach(attachment);
+}
+Written Writer::add(const Metadata& metadata) {
+  return state_->add(metadata);
+}
+Written Writer::flush() {
+  return state_->flush();
+}
+Written Writer::sync() {
+  return state_->sync();
+}
+Written Writer::close() {
+  return state_->close();
+}
+const Summary& Writer::summary() const {
+  return state_->summary();
+}
+const WriteError* Writer::failure() const {
+  return state_->failure();
+}
 
 }  // namespace mlab::mcap

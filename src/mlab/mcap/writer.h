@@ -43,8 +43,8 @@ using Written = std::expected<void, WriteError>;
 ///     writer->close();
 ///
 /// What was flushed is readable whatever happens afterwards: a process that is killed leaves a file that ends
-/// with whole records, save for the last one. So flush as often as it would hurt to lose what came since, once
-/// a second say. `resume` goes on with such a file.
+/// with whole records, save for the last one. So flush as often as it would hurt to lose what came since,
+/// once a second say. `resume` goes on with such a file.
 ///
 /// An error is a value, and nothing throws. Once the disk has refused something the writer is dead: it cuts
 /// off what was written in part, and all functions give the same error. Writing a message asks for no heap
@@ -103,10 +103,10 @@ class Writer {
 
 /// A file that is gone on with, and what was found in it.
 struct Writer::Resumed {
-  Writer writer;                 ///< its summary says what is there: channels, messages, the latest time
-  std::uint64_t cut_bytes = 0;   ///< that were cut off
-  std::string why;               ///< as `Ending::sentence`; empty: it had been closed
-  bool is_begun_anew = false;    ///< it ended before its header did
+  Writer writer;                ///< its summary says what is there: channels, messages, the latest time
+  std::uint64_t cut_bytes = 0;  ///< that were cut off
+  std::string why;              ///< as `Ending::sentence`; empty: it had been closed
+  bool is_begun_anew = false;   ///< it ended before its header did
 };
 
 }  // namespace mlab::mcap

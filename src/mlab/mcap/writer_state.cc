@@ -90,8 +90,8 @@ std::unexpected<WriteError> Writer::State::die(int code) {
     static_cast<void>(sink_->close());
     sink_.reset();
   }
-  out.message = fmt::format("`{}` can't be written any further: {}; {} kept, {} lost", text::shown(name_, 200),
-                            std::generic_category().message(code),
+  out.message = fmt::format("`{}` can't be written any further: {}; {} kept, {} lost",
+                            text::shown(name_, 200), std::generic_category().message(code),
                             base::counted(out.kept_messages, "message"), out.lost_messages);
   failure_ = out;
   return std::unexpected(std::move(out));
@@ -114,7 +114,8 @@ template <class Record>
 std::expected<void, WriteError> Writer::State::define(const Record& record) {
   const std::size_t size = definition_size(record);
   if (size > kMostDefinitions - std::min(kMostDefinitions, definition_bytes_))
-    return std::unexpected(misused(fmt::format("more than {} bytes of schemas and channels", kMostDefinitions)));
+    return std::unexpected(
+        misused(fmt::format("more than {} bytes of schemas and channels", kMostDefinitions)));
   if (record.id.value == 0) return std::unexpected(misused(fmt::format("more than {} of a kind", kLastId)));
   definition_bytes_ += size;
   append(chunk_, record);
@@ -163,8 +164,8 @@ Written Writer::State::write(const Message& message) {
   if (id >= channels_.size() || !channels_[id].is_there)
     return std::unexpected(misused(fmt::format("a message of the channel {}, which nobody added", id)));
   if (message.data.size() > kMostRecordBytes)
-    return std::unexpected(misused(fmt::format("a message of {} bytes, where {} are the most",
-                                               message.data.size(), kMostRecordBytes)));
+    return std::unexpected(misused(
+        fmt::format("a message of {} bytes, where {} are the most", message.data.size(), kMostRecordBytes)));
   const std::uint64_t time = message.log_time;
   note(message.channel, {time, chunk_.size()});
   append(chunk_, message);
@@ -219,10 +220,11 @@ Written Writer::State::flush() {
 
 Written Writer::State::attach(const Attachment& attachment) {
   if (auto problem = not_now()) return std::unexpected(*std::move(problem));
-  if (attachment.name.size() + attachment.media_type.size() > kMostNames || attachment.data.size() > kMostAttachment)
-    return std::unexpected(misused(fmt::format("the attachment `{}` has {} bytes, where {} are the most",
-                                               text::shown(attachment.name), attachment.data.size(),
-                                               kMostAttachment)));
+  if (attachment.name.size() + attachment.media_type.size() > kMostNames ||
+      attachment.data.size() > kMostAttachment)
+    return std::unexpected(
+        misused(fmt::format("the attachment `{}` has {} bytes, where {} are the most",
+                            text::shown(attachment.name), attachment.data.size(), kMostAttachment)));
   append(out_, attachment);
   AttachmentIndex index{at_,
                         out_.size(),

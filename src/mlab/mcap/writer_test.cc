@@ -49,8 +49,7 @@ TEST(McapWriter, WhatItWritesIsRead) {
   EXPECT_EQ(reader.summary().chunks.size(), 7U);
   const Channel& channel = reader.summary().channels.at({1});
   EXPECT_EQ(channel, (Channel{{1}, {1}, "/poses", "json", {{"unit", "m"}}}));
-  EXPECT_EQ(reader.summary().schemas.at({1}),
-            (Schema{{1}, "text", "jsonschema", "{\"type\": \"string\"}"}));
+  EXPECT_EQ(reader.summary().schemas.at({1}), (Schema{{1}, "text", "jsonschema", "{\"type\": \"string\"}"}));
   const auto attachment = reader.attachment("mission.mdl");
   ASSERT_TRUE(attachment) << attachment.error().message;
   EXPECT_EQ(*attachment, (Attachment{"mission.mdl", "text/plain", 5, 4, "UNIT scouts MOVETO ATK-AP1\n"}));
@@ -106,8 +105,7 @@ TEST(McapWriter, RefusesWhatCanNotBeWrittenAndGoesOn) {
   const std::string large(kMostRecordBytes + 1, 'x');
   const auto refused = writer.write(message(channel, 1, large));
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message,
-            "`recording`: a message of 16777217 bytes, where 16777216 are the most");
+  EXPECT_EQ(refused.error().message, "`recording`: a message of 16777217 bytes, where 16777216 are the most");
   EXPECT_FALSE(writer.add_schema({{}, "a", "b", large}));
   EXPECT_EQ(writer.failure(), nullptr);
   ASSERT_TRUE(writer.write(message(channel, 2, std::string_view(large).substr(1))));

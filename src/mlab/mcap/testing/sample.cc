@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -18,14 +19,18 @@ namespace {
 
 constexpr std::array<const char*, 3> kTopics = {"/poses", "/events", "/log"};
 
-Attachment mission() { return {"mission.mdl", "text/plain", 5, 4, "UNIT scouts MOVETO ATK-AP1\n"}; }
-Metadata versions() { return {"versions", {{"library", "3"}, {"seed", "7"}}}; }
+Attachment mission() {
+  return {"mission.mdl", "text/plain", 5, 4, "UNIT scouts MOVETO ATK-AP1\n"};
+}
+Metadata versions() {
+  return {"versions", {{"library", "3"}, {"seed", "7"}}};
+}
 
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, const Said& said) {
-  return out << fmt::format("{} #{} at {} ({}): {}", said.topic, said.sequence, said.log_time, said.publish_time,
-                            said.data);
+  return out << fmt::format("{} #{} at {} ({}): {}", said.topic, said.sequence, said.log_time,
+                            said.publish_time, said.data);
 }
 
 int MemorySink::append(std::span<const std::byte> bytes) {
@@ -40,14 +45,16 @@ int MemorySink::cut(std::uint64_t size) {
   return 0;
 }
 
-std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
+std::span<const std::byte> bytes_of(std::string_view text) {
+  return std::as_bytes(std::span(text));
+}
 
 Script script_of(std::size_t messages) {
   Script out;
   for (std::size_t i = 0; i < messages; ++i) {
     const std::uint64_t time = 1000 + 10 * i - (i % 4 == 3 ? 35 : 0);
-    out.messages.push_back({kTopics[(i + i / 4) % kTopics.size()], static_cast<std::uint32_t>(i), time, time - 1,
-                            fmt::format("message {}", i)});
+    out.messages.push_back({kTopics[(i + i / 4) % kTopics.size()], static_cast<std::uint32_t>(i), time,
+                            time - 1, fmt::format("message {}", i)});
   }
   return out;
 }
@@ -118,7 +125,10 @@ std::vector<Said> in_order(std::vector<Said> messages) {
 }
 
 ScratchFile::ScratchFile() {
-  std::string name = (std::filesystem::temp_directory_path() / "mcap-XXXXXX").string();
+  // In memory where there is such a place: thousands of files are cut, and no disk is meant.
+  const std::filesystem::path memory = "/dev/shm";
+  const auto where = ::access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path();
+  std::string name = (where / "mcap-XXXXXX").string();
   folder_ = ::mkdtemp(name.data()) == nullptr ? "" : name;
   path_ = folder_ + "/run.mcap";
 }
