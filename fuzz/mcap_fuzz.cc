@@ -42,8 +42,14 @@ void look_at(const mcap::Reader& reader) {
     const std::uint64_t middle = reader.summary().start_time / 2 + reader.summary().end_time / 2;
     read_all(reader, {.topics = {channels.begin()->second.topic}, .from = middle});
   }
-  for (const auto& one : reader.summary().attachments) static_cast<void>(reader.attachment(one));
-  for (const auto& one : reader.summary().metadata) static_cast<void>(reader.metadata(one));
+  for (const auto& one : reader.summary().attachments) {
+    const auto is = reader.attachment(one);
+    if (is && is->data.size() > reader.ending().file_bytes) std::abort();
+  }
+  for (const auto& one : reader.summary().metadata) {
+    const auto is = reader.metadata(one);
+    if (is && is->values.size() > reader.ending().file_bytes) std::abort();
+  }
   static_cast<void>(reader.ending().sentence());
 }
 

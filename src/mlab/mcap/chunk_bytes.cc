@@ -11,7 +11,7 @@ namespace mlab::mcap {
 namespace {
 
 // zstd gives at most so many bytes for one of its own: a block of 128 KiB takes at least four.
-constexpr std::uint64_t kMostGain = 128 * 1024;
+constexpr std::uint64_t kMostGain = std::uint64_t{128} << 10;
 
 }  // namespace
 

@@ -14,12 +14,17 @@ namespace mlab::mcap {
 Writer::Writer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Writer::Writer(Writer&& from) noexcept = default;
 Writer& Writer::operator=(Writer&& from) noexcept {
-  if (state_ != nullptr && this != &from) static_cast<void>(state_->close());
+  if (this == &from) return *this;
+  if (state_ != nullptr) {
+    [[maybe_unused]] const Written ignored = state_->close();
+  }
   state_ = std::move(from.state_);
   return *this;
 }
 Writer::~Writer() {
-  if (state_ != nullptr) static_cast<void>(state_->close());
+  if (state_ != nullptr) {
+    [[maybe_unused]] const Written ignored = state_->close();
+  }
 }
 
 std::expected<Writer, WriteError> Writer::create(const std::string& path, const WriterOptions& options) {

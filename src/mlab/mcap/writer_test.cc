@@ -94,7 +94,7 @@ TEST(McapWriter, GivesWhatSaysTheSameTheSameNumber) {
 TEST(McapWriter, RefusesWhatCanNotBeWrittenAndGoesOn) {
   const auto bytes = std::make_shared<Buffer>();
   Writer writer = writer_into(bytes);
-  const auto nobody = writer.write(message({3}, 1, "x"));
+  const auto nobody = writer.write(message(ChannelId{3}, 1, "x"));
   ASSERT_FALSE(nobody);
   EXPECT_EQ(nobody.error().code, EINVAL);
   EXPECT_EQ(nobody.error().message, "`recording`: a message of the channel 3, which nobody added");
@@ -126,7 +126,7 @@ TEST(McapWriter, HasNumbersFor65535Channels) {
   const auto last = writer.add_channel({{}, {}, "one too many", "json", {}});
   ASSERT_FALSE(last);
   EXPECT_EQ(last.error().message, "`recording`: more than 65535 of a kind");
-  ASSERT_TRUE(writer.write(message({65'535}, 1, "x")));
+  ASSERT_TRUE(writer.write(message(ChannelId{65'535}, 1, "x")));
   ASSERT_TRUE(writer.close());
   EXPECT_EQ(reader_of(*bytes).summary().channels.size(), 65'535U);
 }

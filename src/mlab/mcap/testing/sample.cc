@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include <stdlib.h>
@@ -120,7 +121,10 @@ std::vector<Said> all(const Reader& reader, const Selection& selection, std::siz
 }
 
 std::vector<Said> in_order(std::vector<Said> messages) {
-  std::ranges::stable_sort(messages, {}, &Said::log_time);
+  std::multimap<std::uint64_t, Said> sorted;  // equal ones as they came
+  for (Said& one : messages) sorted.emplace(one.log_time, std::move(one));
+  messages.clear();
+  for (auto& [time, one] : sorted) messages.push_back(std::move(one));
   return messages;
 }
 
