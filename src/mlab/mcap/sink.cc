@@ -29,7 +29,8 @@ FileSink::Opened FileSink::open_with(const std::string& path, int flags) {
   struct stat status{};
   if (::fstat(fd, &status) != 0) return {nullptr, errno};
   if (!S_ISREG(status.st_mode)) return {nullptr, EINVAL};
-  if (::flock(fd, LOCK_EX | LOCK_NB) != 0) return {nullptr, errno};
+  // A file system without locks is no reason not to record.
+  if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return {nullptr, EWOULDBLOCK};
   sink->at_ = static_cast<std::uint64_t>(status.st_size);
   return {std::move(sink), 0};
 }

@@ -15,14 +15,16 @@ namespace mlab::mcap {
 /// How a file is written. What a file that is gone on with says of itself stays.
 struct WriterOptions {
   Header header = {.profile = {}, .library = "missionlab"};
-  /// A chunk is written once its records have so many bytes, uncompressed; at most 32 MiB. Larger ones take
-  /// less room, smaller ones are read sooner.
+  /// A chunk is written once its records have so many bytes, uncompressed; at most 16 MiB. Larger ones take
+  /// less room, of smaller ones less has to be read for a moment.
   std::size_t chunk_bytes = std::size_t{1} << 20;
   bool is_compressed = true;  ///< by zstd
   int level = 1;              ///< of zstd, from 1 (fast) to 19 (small)
 };
 
 /// Why something was not written.
+///
+/// What is said to be kept is what the system has taken; after an error of `sync` it may have been wrong.
 struct WriteError {
   /// The system's number: `ENOSPC`, `EIO`, `EFBIG`, `EDQUOT`, ... After such an error the writer is dead.
   /// `EINVAL`: this one thing can't be written, as the message says; all else goes on.
