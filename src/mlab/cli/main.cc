@@ -166,7 +166,7 @@ void add_edit(CLI::App& app, RunOptions& o) {
 
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* c = app.add_subcommand(
-      "check", "Parse and check files of missions, overlays, networks and configurations.");
+      "check", "Parse and check files of missions, overlays, networks, configurations and batches.");
   c->add_option("files", o.files, "files; the language is told by name or content; -: standard input")
       ->required()
       ->type_name("FILE");

@@ -93,10 +93,14 @@ std::string axis_row(const Axis& axis) {
 }
 
 std::string share_row(const ShareRow& row, const Axis& axis) {
-  const std::string figure = fmt::format("{} ({})", percent(row.count.share()), percents(row.interval));
-  const std::string drawing = fmt::format(
-      "{}<path class=\"range\" d=\"M{:.1f} 15H{:.1f}\"/><path class=\"point\" d=\"M{:.1f} 15h.01\"/>",
-      grid(axis), axis.at(row.interval.low), axis.at(row.interval.high), axis.at(row.count.share()));
+  std::string figure = percent(row.count.share());
+  std::string drawing = grid(axis);
+  if (row.interval) {
+    figure += fmt::format(" ({})", percents(*row.interval));
+    drawing += fmt::format("<path class=\"range\" d=\"M{:.1f} 15H{:.1f}\"/>", axis.at(row.interval->low),
+                           axis.at(row.interval->high));
+  }
+  drawing += fmt::format("<path class=\"point\" d=\"M{:.1f} 15h.01\"/>", axis.at(row.count.share()));
   const std::string said =
       fmt::format("{}: {} of {} runs succeed, {}", row.label, row.count.successes, row.count.trials, figure);
   return row_of(row.label, row.is_second, said, drawing, figure);

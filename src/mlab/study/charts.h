@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,8 +35,8 @@ std::string axis_row(const Axis& axis);
 struct ShareRow {
   std::string label;
   statistics::Count count;
-  statistics::Interval interval;
-  bool is_second = false;  ///< in the second colour
+  std::optional<statistics::Interval> interval;  ///< nothing: it has none that would be true
+  bool is_second = false;                        ///< in the second colour
 };
 std::string share_row(const ShareRow& row, const Axis& axis);
 

@@ -179,10 +179,14 @@ class PageMaker {
       }
       if (ends.empty()) continue;
       const auto [low, high] = std::ranges::minmax(ends);
+      out_ += fmt::format("<h3>{}</h3>\n", escaped(heading(numbers[i])));
+      if (low == high) {
+        out_ += fmt::format("<p>{} in all runs.</p>\n", brief(low));
+        continue;
+      }
       const Axis axis = number_axis(low, high);
       double width = statistics::round_step(axis.high - axis.low, kMostBins);
       if (numbers[i].unit.empty()) width = std::max(width, 1.0);  // counts are whole
-      out_ += fmt::format("<h3>{}</h3>\n", escaped(heading(numbers[i])));
       for (const CellSummary* cell : cells)
         out_ += sample_row({label_of(*cell), &cell->samples[i], cell->version == 1}, axis, width);
       out_ += axis_row(axis);
@@ -209,12 +213,15 @@ class PageMaker {
       }
       const Axis axis = share_axis();
       for (std::size_t piece = 0; piece < kMostPieces; ++piece) {
+        if (counts[piece].trials == 0) continue;
         const double from = one.low + static_cast<double>(piece) * width;
-        out_ +=
-            share_row({fmt::format("{} to {}: {}", brief(from), brief(from + width),
-                                   base::counted(counts[piece].trials, "run")),
-                       counts[piece], interval_of(definition_, counts[piece], definition_.confidence), false},
-                      axis);
+        ShareRow row{fmt::format("{} to {}: {}", brief(from), brief(from + width),
+                                 base::counted(counts[piece].trials, "run")),
+                     counts[piece], std::nullopt, false};
+        // Runs of several combinations have seeds in common: together they are no independent trials.
+        if (plan_.combinations() == 1)
+          row.interval = interval_of(definition_, counts[piece], definition_.confidence);
+        out_ += share_row(row, axis);
       }
       out_ += axis_row(axis);
     }
