@@ -67,12 +67,12 @@ TEST_F(Batches, HaveTheRunsThatRunHas) {
 
 TEST_F(Batches, SayHowAFailureIsRepeated) {
   const Outcome out = mlab("batch " + kMissions +
-                           "patrol/patrol.mdl --runs 2 --set base_velocity=0.001 --patience 60 "
+                           "patrol/patrol.mdl --runs 2 --set base_velocity=0 --patience 60 "
                            "--start-time '2026-03-01 08:30' --table t.csv");
   EXPECT_EQ(out.status, 0) << out.err;
   EXPECT_TRUE(has(out.out, "2 x step 1: unit scouts MOVETO Gate (Column): no progress for 60 s")) << out.out;
   const std::string command = "run " + kMissions +
-                              "patrol/patrol.mdl --headless --proceed --seed 1 --set base_velocity=0.001 "
+                              "patrol/patrol.mdl --headless --proceed --seed 1 --set base_velocity=0 "
                               "--start-time 2026-03-01T08:30:00 --patience 60";
   EXPECT_TRUE(has(out.out, "mlab " + command)) << out.out;
   EXPECT_TRUE(has(text_of(folder_ / "t.csv"), command));

@@ -1,11 +1,12 @@
 #include "mlab/statistics/distributions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <boost/math/policies/policy.hpp>
 #include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/erf.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 
 namespace mlab::statistics {
 namespace {
@@ -32,7 +33,11 @@ double binomial_at_most(std::uint64_t successes, std::uint64_t trials, double p)
 }
 
 double normal_below(double z) {
-  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+  return 0.5 * boost::math::erfc(-z / std::numbers::sqrt2, Quiet());
+}
+
+double log_gamma(double x) {
+  return boost::math::lgamma(x, Quiet());
 }
 
 }  // namespace mlab::statistics

@@ -17,4 +17,7 @@ double binomial_at_most(std::uint64_t successes, std::uint64_t trials, double p)
 /// The probability that a standard normal variable is at most z.
 double normal_below(double z);
 
+/// The logarithm of the gamma function, of x above 0; the same on every machine, and on any thread.
+double log_gamma(double x);
+
 }  // namespace mlab::statistics

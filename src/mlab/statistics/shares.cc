@@ -45,7 +45,7 @@ double log_evidence_against(double share, Count count) {
     return std::numeric_limits<double>::infinity();
   // B(s + 1/2, f + 1/2) / B(1/2, 1/2)
   const double mixture =
-      std::lgamma(s + 0.5) + std::lgamma(f + 0.5) - std::lgamma(s + f + 1.0) - std::log(std::numbers::pi);
+      log_gamma(s + 0.5) + log_gamma(f + 0.5) - log_gamma(s + f + 1.0) - std::log(std::numbers::pi);
   return mixture - likelihood;
 }
 
