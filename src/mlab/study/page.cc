@@ -204,7 +204,7 @@ class PageMaker {
       const double width = (one.high - one.low) / static_cast<double>(kMostPieces);
       for (std::uint32_t combination = 0; combination < plan_.combinations(); ++combination) {
         for (const Row& row : batch_.cell(0, combination).rows) {
-          const double value = std::stod(plan_.settings(row.key)[i].value);
+          const double value = plan_.drawn(i, row.key.run);
           const auto piece = static_cast<std::size_t>(std::max(0.0, (value - one.low) / width));
           statistics::Count& count = counts[std::min(piece, kMostPieces - 1)];
           ++count.trials;

@@ -36,12 +36,13 @@ class Plan {
   /// Each with its lowest, then its highest value of what is drawn.
   std::vector<mdl::Setting> extremes(std::uint32_t combination, bool highest) const;
   bool draws() const { return has_drawn_; }
+  /// @param dimension  one that is drawn
+  double drawn(std::size_t dimension, std::uint32_t run) const;
 
   static constexpr std::uint64_t kMostCombinations = 100'000;
 
  private:
   const Written& listed(std::size_t dimension, std::uint32_t combination) const;
-  double drawn(std::size_t dimension, std::uint32_t run) const;
 
   const Definition& definition_;
   std::uint64_t combinations_ = 1;

@@ -120,7 +120,8 @@ struct Contents {
   std::size_t size = 0;  // of whole lines
 };
 
-std::expected<Contents, std::string> understand(std::string_view all, const Identity& identity) {
+// @param identity  null: whose runs they are does not matter
+std::expected<Contents, std::string> understand(std::string_view all, const Identity* identity) {
   Contents out;
   std::size_t line = 0;
   while (out.size < all.size()) {
@@ -132,7 +133,7 @@ std::expected<Contents, std::string> understand(std::string_view all, const Iden
     if (line == 1) {
       if (!json.is_object() || !json.contains(kMark) || json[kMark] != kFormat || !json.contains("batch"))
         return std::unexpected("is no file of a batch's results, and is left alone");
-      if (std::string what = difference(json, identity); !what.empty())
+      if (std::string what = identity != nullptr ? difference(json, *identity) : ""; !what.empty())
         return std::unexpected(std::move(what));
     } else if (end != std::string_view::npos) {
       auto row = row_in(json);
@@ -170,7 +171,7 @@ std::expected<ResultsFile::Opened, std::string> ResultsFile::open(const std::str
     return std::unexpected("is in use by another batch that runs now");
   const auto all = read_all(descriptor);
   if (!all) return std::unexpected(system_error("read"));
-  auto contents = understand(*all, identity);
+  auto contents = understand(*all, resumes ? &identity : nullptr);
   // What was killed before its first line was whole has begun nothing.
   const bool is_unbegun =
       all->find('\n') == std::string::npos && header_json(identity).dump().starts_with(all->substr(0, 12));
@@ -178,8 +179,9 @@ std::expected<ResultsFile::Opened, std::string> ResultsFile::open(const std::str
   if (!contents) return std::unexpected(std::move(contents.error()));
   if (!resumes && !contents->rows.empty())
     return std::unexpected(fmt::format(
-        "holds {} runs of this batch, which was interrupted: --resume goes on with them; else remove it",
+        "holds {} runs of a batch that was interrupted: --resume goes on with them; else remove it",
         contents->rows.size()));
+  if (!resumes) contents->size = 0;  // it was begun and has nothing: perhaps for another batch
   if (::ftruncate(descriptor, static_cast<off_t>(contents->size)) != 0 ||
       ::lseek(descriptor, 0, SEEK_END) < 0 ||
       (contents->size == 0 && !write_all(descriptor, line_of(header_json(identity)))))
