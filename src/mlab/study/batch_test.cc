@@ -115,8 +115,8 @@ TEST_F(KeptFile, MakesAnInterruptedBatchTheSame) {
       Made made(kSome);
       made.begin(opened->file.get());
       made.batch->take(std::move(opened->rows));
-      std::atomic<std::uint64_t> cycles = 5'000 + random.below(40'000);
-      end = made.run(1 + static_cast<int>(random.below(3)), [&] { return cycles == 0 || --cycles == 0; });
+      std::atomic<std::int64_t> cycles = static_cast<std::int64_t>(5'000 + random.below(40'000));
+      end = made.run(1 + static_cast<int>(random.below(3)), [&] { return --cycles < 0; });
       if (end == Batch::End::kDone) {
         EXPECT_EQ(made.csv(), whole) << "seed " << kSeed << ", round " << round;
       }

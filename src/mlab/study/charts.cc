@@ -15,17 +15,17 @@ constexpr std::size_t kMostMarks = 6;
 
 std::string row_of(const std::string& label, bool is_second, std::string_view said,
                    const std::string& drawing, const std::string& figure) {
-  return fmt::format(
-      "<div class=\"row{}\"><div class=\"label\">{}</div><svg viewBox=\"0 0 1000 {}\" "
-      "preserveAspectRatio=\"none\" "
-      "role=\"img\" aria-label=\"{}\">{}</svg><div class=\"figure\">{}</div></div>\n",
-      is_second ? " second" : "", escaped(label), kHeight, escaped(said), drawing, escaped(figure));
+  return fmt::format(R"(<div class="row{}"><div class="label">{}</div><svg viewBox="0 0 1000 {}" )"
+                     R"(preserveAspectRatio="none" )"
+                     "role=\"img\" aria-label=\"{}\">{}</svg><div class=\"figure\">{}</div></div>\n",
+                     is_second ? " second" : "", escaped(label), kHeight, escaped(said), drawing,
+                     escaped(figure));
 }
 
 std::string grid(const Axis& axis) {
   std::string out;
   for (const auto& [value, mark] : axis.marks) out += fmt::format("M{:.1f} 0V{}", axis.at(value), kHeight);
-  return fmt::format("<path class=\"grid\" d=\"{}\"/>", out);
+  return fmt::format(R"(<path class="grid" d="{}"/>)", out);
 }
 
 }  // namespace
@@ -81,12 +81,12 @@ Axis number_axis(double low, double high) {
 
 std::string axis_row(const Axis& axis) {
   std::string out =
-      "<div class=\"row axis\" aria-hidden=\"true\"><div class=\"label\"></div><div class=\"marks\">";
+      R"(<div class="row axis" aria-hidden="true"><div class="label"></div><div class="marks">)";
   for (const auto& [value, mark] : axis.marks) {
     const double at = axis.at(value) / 10.0;
     // The outermost ones stay within.
     const int shift = at < 2.0 ? 0 : at > 98.0 ? -100 : -50;
-    out += fmt::format("<span style=\"left:{:.1f}%;transform:translateX({}%)\">{}</span>", at, shift,
+    out += fmt::format(R"(<span style="left:{:.1f}%;transform:translateX({}%)">{}</span>)", at, shift,
                        escaped(mark));
   }
   return out + "</div><div class=\"figure\"></div></div>\n";
@@ -97,10 +97,10 @@ std::string share_row(const ShareRow& row, const Axis& axis) {
   std::string drawing = grid(axis);
   if (row.interval) {
     figure += fmt::format(" ({})", percents(*row.interval));
-    drawing += fmt::format("<path class=\"range\" d=\"M{:.1f} 15H{:.1f}\"/>", axis.at(row.interval->low),
+    drawing += fmt::format(R"(<path class="range" d="M{:.1f} 15H{:.1f}"/>)", axis.at(row.interval->low),
                            axis.at(row.interval->high));
   }
-  drawing += fmt::format("<path class=\"point\" d=\"M{:.1f} 15h.01\"/>", axis.at(row.count.share()));
+  drawing += fmt::format(R"(<path class="point" d="M{:.1f} 15h.01"/>)", axis.at(row.count.share()));
   const std::string said =
       fmt::format("{}: {} of {} runs succeed, {}", row.label, row.count.successes, row.count.trials, figure);
   return row_of(row.label, row.is_second, said, drawing, figure);
@@ -125,9 +125,9 @@ std::string sample_row(const SampleRow& row, const Axis& axis, double width) {
     bars += fmt::format("M{:.1f} {}V{:.1f}H{:.1f}V{}z", x, kHeight, kHeight - height,
                         std::max(next - 1.0, x + 2.0), kHeight);
   }
-  std::string drawing = grid(axis) + fmt::format("<path class=\"bars\" d=\"{}\"/>", bars);
+  std::string drawing = grid(axis) + fmt::format(R"(<path class="bars" d="{}"/>)", bars);
   if (!row.sample->empty())
-    drawing += fmt::format("<path class=\"median\" d=\"M{:.1f} 0V{}\"/>",
+    drawing += fmt::format(R"(<path class="median" d="M{:.1f} 0V{}"/>)",
                            axis.at(statistics::quantile(*row.sample, 0.5)), kHeight);
   const std::string figure = row.sample->empty() ? "none" : median_and_range(*row.sample);
   return row_of(row.label, row.is_second,
@@ -136,19 +136,18 @@ std::string sample_row(const SampleRow& row, const Axis& axis, double width) {
 
 std::string table(std::string_view caption, const std::vector<std::vector<std::string>>& rows,
                   std::size_t left_columns) {
-  std::string out = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"{0}\"><table><caption>{0}</caption>\n",
-      escaped(caption));
+  std::string out = fmt::format(R"(<div class="scroll" tabindex="0" role="region" )"
+                                "aria-label=\"{0}\"><table><caption>{0}</caption>\n",
+                                escaped(caption));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     out += i == 0 ? "<thead><tr>" : i == 1 ? "<tbody>\n<tr>" : "<tr>";
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
-      const char* const side = k < left_columns ? " class=\"left\"" : "";
+      const char* const side = k < left_columns ? R"( class="left")" : "";
       const std::string cell = escaped(rows[i][k]);
       if (i == 0)
-        out += fmt::format("<th scope=\"col\"{}>{}</th>", side, cell);
+        out += fmt::format(R"(<th scope="col"{}>{}</th>)", side, cell);
       else if (k == 0)
-        out += fmt::format("<th scope=\"row\"{}>{}</th>", side, cell);
+        out += fmt::format(R"(<th scope="row"{}>{}</th>)", side, cell);
       else
         out += fmt::format("<td{}>{}</td>", side, cell);
     }

@@ -35,7 +35,7 @@ class PageMaker {
     out_ = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<meta http-equiv=\"Content-Security-Policy\" "
-        "content=\"default-src 'none'; style-src "
+        R"(content="default-src 'none'; style-src )"
         "'unsafe-inline'\">\n<title>{}</title>\n<style>{}</style>\n</head>\n"
         "<body>\n<main>\n<h1>{}</h1>\n",
         escaped(title), page_style(), escaped(title));
@@ -85,7 +85,7 @@ class PageMaker {
 
   void add_verdicts() {
     for (const Verdict& verdict : summary_.verdicts) {
-      out_ += fmt::format("<p><span class=\"{}\">{}</span>: {}", verdict.is_met() ? "good" : "bad",
+      out_ += fmt::format(R"(<p><span class="{}">{}</span>: {})", verdict.is_met() ? "good" : "bad",
                           verdict.is_met() ? "Met" : "Not met", escaped(verdict.requirement->text));
       for (std::size_t i = 0; i < std::min<std::size_t>(verdict.unmet.size(), 5); ++i) {
         const std::uint32_t combination = verdict.unmet[i];
@@ -138,7 +138,7 @@ class PageMaker {
     if (summary_.comparisons.empty()) return;
     out_ += heading_of("The two versions, in pairs");
     out_ += fmt::format(
-        "<p class=\"faint\">Each pair has the same seed and the same values. Success by McNemar's exact "
+        R"(<p class="faint">Each pair has the same seed and the same values. Success by McNemar's exact )"
         "test, numbers "
         "by Wilcoxon's signed ranks: p is how likely a difference at least so large is by chance alone. "
         "Differences "

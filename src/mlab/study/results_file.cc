@@ -6,8 +6,8 @@
 
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -78,7 +78,7 @@ std::optional<Row> row_in(const Json& json) {
 }
 
 std::string system_error(const char* what) {
-  return fmt::format("can't be {}: {}", what, std::strerror(errno));
+  return fmt::format("can't be {}: {}", what, std::generic_category().message(errno));
 }
 
 std::optional<std::string> read_all(int descriptor) {
@@ -194,7 +194,7 @@ ResultsFile::~ResultsFile() {
   ::close(descriptor_);
 }
 
-bool ResultsFile::append(const Row& row) {
+bool ResultsFile::append(const Row& row) const {
   return write_all(descriptor_, line_of(row_json(row)));
 }
 

@@ -33,7 +33,7 @@ class ResultsFile {
   ResultsFile& operator=(const ResultsFile&) = delete;
 
   /// @return  false: it can't be written
-  bool append(const Row& row);
+  bool append(const Row& row) const;
   const std::string& path() const { return path_; }
 
  private:
