@@ -123,7 +123,7 @@ void BatchProgress::show(const study::Progress& progress) {
   std::fflush(stderr);
 }
 
-void BatchProgress::clear() {
+void BatchProgress::clear() const {
   if (!is_shown_) return;
   fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);

@@ -12,7 +12,7 @@ class BatchProgress {
  public:
   explicit BatchProgress(bool is_quiet);
   void show(const study::Progress& progress);
-  void clear();
+  void clear() const;
 
  private:
   bool is_shown_;

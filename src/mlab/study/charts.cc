@@ -86,7 +86,7 @@ std::string axis_row(const Axis& axis) {
     const double at = axis.at(value) / 10.0;
     // The outermost ones stay within.
     const int shift = at < 2.0 ? 0 : at > 98.0 ? -100 : -50;
-    out += fmt::format(R"(<span style="left:{:.1f}%;transform:translateX({}%)">{}</span>)", at, shift,
+    out += fmt::format(R"mark(<span style="left:{:.1f}%;transform:translateX({}%)">{}</span>)mark", at, shift,
                        escaped(mark));
   }
   return out + "</div><div class=\"figure\"></div></div>\n";
