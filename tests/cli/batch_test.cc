@@ -38,8 +38,9 @@ TEST_F(Batches, HaveTheRunsThatRunHas) {
       "MISSION NAME Field\nOVERLAY map.odl\nSET OBSTACLE-COVERAGE 3\nCREATE-OBSTACLES\nUNIT <u> ROBOT ROBOT\n"
       "COMMAND LIST:\n0. UNIT u START Here 5 0\n1. UNIT u OCCUPY There\n");
   write("map.odl", kMap);
-  for (const std::string& mission : {kMissions + "demo_c/demo_c.mdl", kMissions + "forage/forage.mdl",
-                                     kMissions + "ugv/ugv.mdl", std::string("field.mdl")}) {
+  for (const std::string& mission :
+       {kMissions + "demo_c/demo_c.mdl", kMissions + "forage/forage.mdl", kMissions + "ugv/ugv.mdl",
+        base::source_folder() + "/examples/14_behavior/pond.mdl", std::string("field.mdl")}) {
     const std::string common = " --start-time '2026-03-01 08:30' --limit 2000";
     const Outcome batch = mlab("batch " + mission + " --runs 3 --seed 41 --table t.json" + common);
     ASSERT_EQ(batch.status, 0) << batch.out << batch.err;

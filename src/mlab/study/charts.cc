@@ -168,7 +168,7 @@ body { margin: 0 auto; padding: 1rem; max-width: 75rem; background: var(--back);
 h1 { font-size: 1.5rem; line-height: 1.25; margin: .5rem 0; }
 h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
 h3 { font-size: 1rem; margin: 1.25rem 0 .25rem; }
-p { margin: .5rem 0; max-width: 50rem; }
+p { margin: .5rem 0; max-width: 50rem; overflow-wrap: anywhere; }
 .faint, .figure, .marks { color: var(--faint); }
 .good { color: var(--good); font-weight: 600; }
 .bad { color: var(--bad); font-weight: 600; }
