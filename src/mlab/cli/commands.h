@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mlab/robot/host/limits.h"
@@ -52,6 +53,7 @@ struct RunOptions {
   std::string save_percepts;       ///< file that percepts are written to; empty: none
   std::string environment;         ///< environment-change file; empty: none
   std::string start_time;          ///< of the mission clock; empty: now
+  std::vector<std::string> set;    ///< `NAME=VALUE`, in place of what the mission says
   double patience = 600.0;         ///< [s]
   std::optional<double> limit;     ///< simulated seconds after which the run is ended
   std::optional<double> duration;  ///< simulated seconds that it goes on for, and then is done
@@ -74,6 +76,20 @@ int run(const RunOptions& options);
 int run_console(const RunOptions& options);
 /// The designer, and beside it a console without a mission, until it is interrupted.
 int edit(RunOptions options);
+
+struct BatchOptions {
+  std::string file;  ///< a mission, or the definition of a batch (.toml)
+  std::vector<std::pair<std::string, std::string>> given;  ///< fields of the definition, in their order
+  int threads = 1;
+  bool resumes = false;
+  bool strict = false;
+  bool quiet = false;
+  bool allow_native = false;
+  bool no_cell = false;
+  robot_host::Limits limits;  ///< of robots with code of their own
+};
+/// Carries out a mission many times.
+int batch(const BatchOptions& options);
 
 struct AgentOptions {
   NetworkOptions network;

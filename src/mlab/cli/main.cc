@@ -18,6 +18,7 @@
 #include <CLI/CLI.hpp>
 
 #include "mlab/cli/agent_options.h"
+#include "mlab/cli/batch_options.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/commands/export.h"
 #include "mlab/cli/fleet_words.h"
@@ -92,6 +93,11 @@ void add_run(CLI::App& app, RunOptions& o) {
        "--environment", o.environment,
        "change the world while the mission runs, as this file says; -: standard input, with --headless")
       ->type_name("FILE");
+  c->add_option("--set", o.set,
+                "in place of what the mission says: a parameter of its robots (scout:NAME for one type), a "
+                "number that SET gives,\nor OVERLAY; again for each (docs/batch.md); with --headless")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
   c->add_option("--start-time", o.start_time,
                 "what the mission's clock shows at the start: \"YYYY-MM-DD HH:MM[:SS]\" (default: now)")
       ->type_name("TIME");
@@ -160,7 +166,7 @@ void add_edit(CLI::App& app, RunOptions& o) {
 
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* c = app.add_subcommand(
-      "check", "Parse and check files of missions, overlays, networks and configurations.");
+      "check", "Parse and check files of missions, overlays, networks, configurations and batches.");
   c->add_option("files", o.files, "files; the language is told by name or content; -: standard input")
       ->required()
       ->type_name("FILE");
@@ -451,6 +457,7 @@ std::vector<std::string> words_in(int argc, char** argv) {
 struct AllOptions {
   RunOptions run;
   RunOptions edit;
+  BatchOptions batch;
   CheckOptions check;
   TestOptions test;
   FormatOptions format;
@@ -473,6 +480,8 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_console(app.get_subcommand("run"), o.run, "Operator console");
   o.edit = o.run;
   add_edit(app, o.edit);
+  o.batch.threads = std::min(hardware_threads(), 256);
+  add_batch(app, o.batch);
   add_check(app, o.check);
   add_test_components(app, o.test);
   add_fmt(app, o.format);
@@ -492,6 +501,7 @@ void add_all(CLI::App& app, AllOptions& o) {
 int do_as_told(CLI::App& app, const AllOptions& o) {
   if (app.got_subcommand("run")) return run(o.run);
   if (app.got_subcommand("edit")) return edit(o.edit);
+  if (app.got_subcommand("batch")) return batch(o.batch);
   if (app.got_subcommand("check")) return check(o.check);
   if (app.got_subcommand("test-components")) return test_components(o.test);
   if (app.got_subcommand("fmt")) return format(o.format);

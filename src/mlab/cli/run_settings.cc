@@ -13,8 +13,10 @@
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/fleet_stop.h"
 #include "mlab/cli/fleet_words.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/robot/program/configuration_file.h"
+#include "mlab/study/dimension.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cli {
@@ -144,6 +146,23 @@ mdl::LoadOptions load_options(const RunOptions& options, robot::ProgramSources s
   out.seed = options.seed;
   out.overlay_folders = overlay_folders();
   out.societies = robot::society_reader(std::move(sources));
+  return out;
+}
+
+std::optional<std::vector<mdl::Setting>> settings_of(const RunOptions& options) {
+  std::vector<mdl::Setting> out;
+  if (!options.set.empty() && !options.headless) {
+    usage_error("--set counts with --headless: the console has sliders for parameters");
+    return std::nullopt;
+  }
+  for (const std::string& text : options.set) {
+    auto setting = study::setting_of(text);
+    if (!setting) {
+      tell(setting.error());
+      return std::nullopt;
+    }
+    out.push_back(std::move(*setting));
+  }
   return out;
 }
 

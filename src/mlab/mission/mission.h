@@ -20,9 +20,10 @@ namespace mlab::mission {
 
 /// A NEW-ROBOT parameter. Numbers keep the text that was written, so that 0.3 stays 0.3.
 struct RobotParameter {
-  std::string key;    ///< case-sensitive
-  std::string value;  ///< without quotes; booleans as `1` and `0`
-  text::Place place;  ///< of the key
+  std::string key;               ///< case-sensitive
+  std::string value;             ///< without quotes; booleans as `1` and `0`
+  text::Place place;             ///< of the key
+  bool is_from_outside = false;  ///< it stands in no NEW-ROBOT: whoever loads the mission set it
 };
 
 /// What NEW-ROBOT defines, or the predefined ROBOT.
@@ -193,6 +194,7 @@ struct Mission {
   std::vector<Print> prints;        ///< of the preamble: to be printed once when the mission is loaded
   std::vector<Step> steps;
   text::SourcePtr source;
+  bool has_obstacles_by_seed = false;  ///< CREATE-OBSTACLES without SET SEED: others for another seed
 };
 
 }  // namespace mlab::mission

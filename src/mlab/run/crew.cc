@@ -1,5 +1,6 @@
 #include "mlab/run/crew.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -26,12 +27,18 @@ const robot::RobotProgram* known_program(const mission::RobotType& type, const C
   return nullptr;
 }
 
-// What is said of the types that societies consist of. Those of one society come from one statement and one
-// file: what is said of several is said once, and a parameter is unknown where none of them knows it.
-class SaidOfSocieties {
+// What is said of types that have something in common: those of a society come from one statement and one
+// file, and what was set from outside was set for all of them. What is said of several is said once, and a
+// parameter is unknown where none of them knows it.
+class SaidOfMany {
  public:
-  void add(const mission::RobotType& type, const text::Diagnostics& said) {
-    for (const mission::RobotParameter& parameter : type.parameters) ++takers_[key_of(parameter.place)];
+  /// @param has_program  something answers to its name
+  void add(const mission::RobotType& type, bool has_program, const text::Diagnostics& said) {
+    for (const mission::RobotParameter& parameter : type.parameters) {
+      const Key key = key_of(parameter.place);
+      if (parameter.is_from_outside) outside_.emplace(key, parameter);
+      if (has_program || !parameter.is_from_outside) ++takers_[key];
+    }
     all_.insert(all_.end(), said.items().begin(), said.items().end());
   }
 
@@ -41,10 +48,18 @@ class SaidOfSocieties {
     for (const text::Diagnostic& one : all_) {
       const Key key = key_of(one.place);
       if (one.kind == "unknown-parameter") {
-        if (++refused[key] == takers_.at(key)) sink.report(one);
+        if (++refused[key] != takers_.at(key)) continue;
+        text::Diagnostic last = one;
+        if (outside_.contains(key)) last.severity = text::Severity::kError;
+        sink.report(std::move(last));
       } else if (told.emplace(one.kind, key, one.message).second) {
         sink.report(one);
       }
+    }
+    for (const auto& [key, parameter] : outside_) {
+      if (!takers_.contains(key))
+        sink.error("unknown-parameter", parameter.place,
+                   fmt::format("no robot of the mission has a parameter `{}`", text::shown(parameter.key)));
     }
   }
 
@@ -56,6 +71,7 @@ class SaidOfSocieties {
 
   std::vector<text::Diagnostic> all_;
   std::map<Key, int> takers_;  // types that are given the parameter that stands there
+  std::map<Key, mission::RobotParameter> outside_;
 };
 
 std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& type,
@@ -92,7 +108,10 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
   for (const mission::Society& society : plan.societies) {
     for (const mission::Society::Part& part : society.parts) is_of_society[part.type] = true;
   }
-  SaidOfSocieties of_societies;
+  const auto is_set_from_outside = [](const mission::RobotType& type) {
+    return std::ranges::any_of(type.parameters, &mission::RobotParameter::is_from_outside);
+  };
+  SaidOfMany of_many;
   const MissionPlaces places(plan);
   robot::ProgramSources with_places = sources;
   with_places.places = &places;
@@ -101,7 +120,8 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
     // A type that nobody uses costs nothing, but what is wrong in it is said all the same; ROBOT alone has no
     // author.
     text::Diagnostics own;
-    text::Diagnostics& said = is_of_society[i] ? own : sink;
+    const bool is_one_of_many = is_of_society[i] || is_set_from_outside(plan.types[i]);
+    text::Diagnostics& said = is_one_of_many ? own : sink;
     std::optional<robot::RobotProgram> program;
     if (is_used[i] || plan.types[i].place.source)
       program = load_program_of(plan.types[i], with_places, before, said);
@@ -110,9 +130,9 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
     crew->programs.push_back(
         program ? std::move(*program)
                 : robot::RobotProgram{.name = plan.types[i].program, .type = plan.types[i].name});
-    if (is_of_society[i]) of_societies.add(plan.types[i], own);
+    if (is_one_of_many) of_many.add(plan.types[i], crew->programs.back().can_run(), own);
   }
-  of_societies.report(sink);
+  of_many.report(sink);
   if (sink.error_count() > errors_before) return nullptr;
   return crew;
 }

@@ -7,12 +7,14 @@
 
 #include "mlab/assist/service.h"
 #include "mlab/base/counted.h"
+#include "mlab/cli/batch_study.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/failsafe_table.h"
 #include "mlab/cli/files.h"
 #include "mlab/cli/input.h"
 #include "mlab/cli/permission.h"
 #include "mlab/cli/terminal.h"
+#include "mlab/study/study_file.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
@@ -26,21 +28,31 @@ using Json = nlohmann::ordered_json;
 struct Checked {
   std::string file;
   std::optional<Language> language;
+  bool is_study = false;  ///< the definition of a batch, which is in none of the languages
   text::Diagnostics sink;
   std::vector<FailsafeRow> failsafes;  ///< where they were asked for
 };
 
 void check_source(const text::SourcePtr& source, const CheckOptions& options, Checked& out) {
+  out.is_study = study::is_study_file(source->name());
+  if (out.is_study) {
+    check_study(source, options.no_cell, out.sink);
+    return;
+  }
   out.language = language_of(*source);
   if (!out.language) {
     out.sink
         .error("unknown-language", {source, {0, 0}}, "this is no mission, overlay, network or configuration")
-        .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl"};
+        .hints = {"the name may say it: .mdl, .odl, .cnl, .cdl; .toml: the definition of a batch"};
     return;
   }
   out.sink =
       assist::problems({source, *out.language}, surroundings(permission_to_check(true, options.no_cell)));
   if (options.failsafes && out.language == Language::kMission) out.failsafes = failsafe_rows(source);
+}
+
+std::string_view language_name(const Checked& checked) {
+  return checked.is_study ? "study" : checked.language ? name(*checked.language) : "";
 }
 
 Json place_json(const text::Place& place) {
@@ -71,7 +83,7 @@ Json diagnostic_json(const text::Diagnostic& d) {
 Json checked_json(const Checked& checked) {
   Json out;
   out["file"] = checked.file;
-  out["language"] = checked.language ? Json(name(*checked.language)) : Json(nullptr);
+  out["language"] = language_name(checked).empty() ? Json(nullptr) : Json(language_name(checked));
   out["errors"] = checked.sink.error_count();
   out["warnings"] = checked.sink.warning_count();
   out["diagnostics"] = Json::array();
@@ -108,7 +120,7 @@ int check(const CheckOptions& options) {
       continue;
     }
     tell(checked.sink);
-    fmt::print("{}: {}", file, checked.language ? name(*checked.language) : "unreadable");
+    fmt::print("{}: {}", file, language_name(checked).empty() ? "unreadable" : language_name(checked));
     if (checked.sink.items().empty()) {
       fmt::print(", ok\n");
     } else {

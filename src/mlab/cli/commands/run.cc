@@ -54,8 +54,9 @@ struct Prepared {
 };
 
 std::shared_ptr<const mission::Mission> load(const RunOptions& options, const robot::ProgramSources& sources,
-                                             text::Diagnostics& sink) {
-  const mdl::LoadOptions around = load_options(options, sources);
+                                             std::vector<mdl::Setting> settings, text::Diagnostics& sink) {
+  mdl::LoadOptions around = load_options(options, sources);
+  around.settings = std::move(settings);
   if (!is_standard_input(options.mission)) return mdl::load_mission(options.mission, sink, around);
   const text::Result<text::SourcePtr> source = read_input(options.mission);
   if (source) return mdl::check_mission(*source, "", sink, around);
@@ -77,7 +78,9 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
   const std::string folder = std::filesystem::path(options.mission).parent_path().string();
   const robot::ProgramSources sources =
       mission_sources(options, permission_to_run(options, cell::Grounds::People::kHere, folder));
-  const std::shared_ptr<const mission::Mission> mission = load(options, sources, sink);
+  auto set = settings_of(options);
+  if (!set) return std::nullopt;
+  const std::shared_ptr<const mission::Mission> mission = load(options, sources, std::move(*set), sink);
   if (mission) {
     run::RunSettings& settings = manner->settings;
     settings.goes_on_when_done = options.duration.has_value();
@@ -218,7 +221,7 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
 int run(const RunOptions& options) {
   if (const std::string why = other_language(options.mission, {assist::Language::kMission}); !why.empty())
     return usage_error(why);
-  if (!options.headless) return run_console(options);
+  if (!options.headless) return settings_of(options) ? run_console(options) : kBadInput;
   if (options.mission.empty()) return usage_error("--headless: expected a mission file (.mdl)");
   int status = kDone;
   std::optional<Prepared> prepared = prepare(options, status);

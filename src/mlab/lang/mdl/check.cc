@@ -12,6 +12,7 @@
 #include "mlab/lang/mdl/plan_check.h"
 #include "mlab/lang/mdl/preamble.h"
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/lang/mdl/settings.h"
 #include "mlab/lang/mdl/tree.h"
 
 namespace mlab::mdl {
@@ -67,12 +68,15 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
   mission->source = source;
   mission->types.push_back(predefined_type());
   Roster roster(*mission, source, tree.damage, diagnostics, options.societies);
-  Preamble preamble(*mission, roster, tree.damage, folder, options, diagnostics);
+  Settings settings(options.settings, diagnostics);
+  Preamble preamble(*mission, roster, tree.damage, folder, options, settings, diagnostics);
   preamble.run(tree);
+  settings.set_parameters(*mission, tree.damage.types);
   if (!diagnostics.has_errors()) preamble.create_requested_obstacles();
   const PlaceIndex places(mission->overlay);
   CommandReader reader({*mission, places, roster, tree.damage, preamble.overlays()}, source, diagnostics);
   mission->steps = read_steps(tree, reader);
+  for (mission::Step& step : mission->steps) settings.set_numbers(step, mission->options);
   if (diagnostics.error_count() > errors) return nullptr;
   std::ranges::sort(mission->robots, {}, &mission::Robot::id);
   check_names(*mission, diagnostics);
@@ -92,7 +96,8 @@ overlay::Overlay check_map(const text::SourcePtr& source, const std::string& fol
     return std::holds_alternative<statement::NewRobot>(statement.what) ||
            std::holds_alternative<statement::UnitDefinition>(statement.what);
   });
-  Preamble preamble(mission, roster, tree.damage, folder, options, diagnostics);
+  Settings settings(options.settings, unsaid);
+  Preamble preamble(mission, roster, tree.damage, folder, options, settings, diagnostics);
   preamble.run(tree);
   preamble.create_requested_obstacles();
   return std::move(mission.overlay);

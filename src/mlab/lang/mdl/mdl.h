@@ -44,6 +44,20 @@ std::string print(const Statement& statement);
 using SocietyReader = std::function<std::optional<std::vector<std::pair<std::string, int>>>(
     const std::string& program, const text::Place& place, text::Diagnostics& diagnostics)>;
 
+/// What a mission is to have in place of what its text says: `base_velocity=2`.
+///
+/// - a parameter of robots: of all types that know it, or of one of them: `scout:base_velocity`. It counts as
+///   if it stood last in NEW-ROBOT
+/// - a number that SET gives: `OBSTACLE-COVERAGE`, in all of the mission
+/// - `OVERLAY`, the file in place of the overlay that the mission names; where it names several,
+///   `OVERLAY:democ.odl` says which
+struct Setting {
+  std::string name;
+  std::string value;
+  text::Place name_place;
+  text::Place value_place;
+};
+
 /// What a mission needs from outside its file.
 struct LoadOptions {
   /// For CREATE-OBSTACLES where the mission does not SET SEED.
@@ -54,6 +68,8 @@ struct LoadOptions {
   text::Files files = text::files_on_disk();
   /// Null: there are no societies.
   SocietyReader societies = nullptr;
+  /// Of equal names the last counts.
+  std::vector<Setting> settings = {};
 };
 
 /// Everything a run needs: overlays loaded, names resolved, robots numbered, random obstacles created.

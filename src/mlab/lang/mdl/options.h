@@ -19,6 +19,9 @@ std::optional<mission::Command> read_set(const statement::Set& set, const missio
                                          overlay::Area area, const text::SourcePtr& source,
                                          text::Diagnostics& diagnostics);
 
+/// The number that SET gives under this word, in any letter case; nothing where there is none.
+std::optional<mission::NumberOption> number_option(std::string_view word);
+
 /// Reports a coordinate or length that no map has.
 ///
 /// @param what  as the message begins: `a coordinate`

@@ -447,4 +447,13 @@ statement::InjectTrack Parser::inject_track() {
   return {};
 }
 
+std::optional<mission::NumberOption> number_option(std::string_view word) {
+  const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
+  for (const OptionWord& option : kOptions) {
+    const auto* number = std::get_if<NumberOption>(&option.option);
+    if (number != nullptr && std::ranges::equal(spelling(option.word), word, {}, {}, upper)) return *number;
+  }
+  return std::nullopt;
+}
+
 }  // namespace mlab::mdl

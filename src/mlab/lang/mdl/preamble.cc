@@ -49,21 +49,26 @@ std::optional<std::string> find_overlay(const std::string& name, const std::stri
 }
 
 Preamble::Preamble(mission::Mission& mission, Roster& roster, Damage& damage, std::string folder,
-                   const LoadOptions& options, text::Diagnostics& diagnostics)
+                   const LoadOptions& options, Settings& settings, text::Diagnostics& diagnostics)
     : mission_(mission),
       roster_(roster),
       damage_(damage),
       folder_(std::move(folder)),
       options_(options),
+      settings_(settings),
       diagnostics_(diagnostics) {}
 
 void Preamble::run(const Tree& tree) {
   source_ = tree.source;
+  std::size_t overlays = 0;
   for (const Statement& statement : tree.preamble) {
     if (const auto* robot = std::get_if<statement::NewRobot>(&statement.what))
       roster_.announce_type(robot->name);
+    if (std::holds_alternative<statement::OverlayFile>(statement.what)) ++overlays;
   }
+  settings_.check_overlays(overlays);
   for (const Statement& statement : tree.preamble) execute(statement);
+  settings_.set_numbers(mission_.options, mission_.overlay.mission_area());
   roster_.define_units_of_societies();
 }
 
@@ -89,6 +94,7 @@ void Preamble::execute(const Statement& statement) {
   } else if (const auto* unit = std::get_if<statement::UnitDefinition>(&statement.what)) {
     roster_.define_unit(*unit);
   } else if (const auto* set = std::get_if<statement::Set>(&statement.what)) {
+    if (settings_.replaces(set->option)) return;
     const auto command =
         read_set(*set, mission_.options, mission_.overlay.mission_area(), source_, diagnostics_);
     if (command) apply_set(*command, mission_.options);
@@ -128,11 +134,14 @@ void Preamble::load_overlay(const Name& file) {
     diagnostics_.error("too-many-overlays", place(file.span),
                        fmt::format("a mission has at most {} overlays", kMaxOverlays));
   }
-  overlays_.push_back(file.text);
+  const Setting* instead = settings_.in_place_of_overlay(file.text);
+  Name used = file;
+  if (instead != nullptr) used.text = instead->value;
+  overlays_.push_back(used.text);
   if (overlays_.size() > kMaxOverlays) return;
-  const std::optional<std::string> path = find_overlay(file);
+  const std::optional<std::string> path = find_overlay(used);
   if (!path) {
-    report_missing_overlay(file);
+    report_missing_overlay(used, instead != nullptr ? instead->value_place : place(file.span));
     damage_.places = true;
     return;
   }
@@ -143,8 +152,8 @@ void Preamble::load_overlay(const Name& file) {
 
 // Old missions name files by suffixes that their overlays no longer have, so the other one is tried for a
 // hint.
-void Preamble::report_missing_overlay(const Name& file) {
-  auto& error = diagnostics_.error("missing-overlay", place(file.span),
+void Preamble::report_missing_overlay(const Name& file, const text::Place& at) {
+  auto& error = diagnostics_.error("missing-overlay", at,
                                    fmt::format("there is no overlay {}", in_backticks(file.text)));
   error.label = "neither beside the mission nor in the current folder";
   for (const char* suffix : {".odl", ".ovl"}) {
@@ -297,11 +306,13 @@ void Preamble::request_obstacles(text::Span span) {
         .notes.push_back({"the first one is here", before.front().place});
   }
   before.clear();
+  settings_.set_numbers(mission_.options, mission_.overlay.mission_area());
   request_ = Request{mission_.options, mission_.overlay.mission_area(), span};
 }
 
 void Preamble::create_requested_obstacles() {
   if (!request_) return;
+  mission_.has_obstacles_by_seed = !request_->options.seed;
   std::vector<overlay::ObstacleDisc> created =
       create_obstacles(request_->options, request_->area, options_.seed, place(request_->span), diagnostics_);
   std::vector<overlay::ObstacleDisc>& placed = mission_.overlay.obstacles;

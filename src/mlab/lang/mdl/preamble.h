@@ -6,6 +6,7 @@
 
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/names.h"
+#include "mlab/lang/mdl/settings.h"
 #include "mlab/lang/mdl/tree.h"
 #include "mlab/mission/mission.h"
 #include "mlab/text/diagnostic.h"
@@ -17,7 +18,7 @@ class Preamble {
  public:
   /// @param damage  what is missing for the rest is added here: places, where an overlay could not be read
   Preamble(mission::Mission& mission, Roster& roster, Damage& damage, std::string folder,
-           const LoadOptions& options, text::Diagnostics& diagnostics);
+           const LoadOptions& options, Settings& settings, text::Diagnostics& diagnostics);
 
   /// All but random obstacles.
   void run(const Tree& tree);
@@ -32,7 +33,7 @@ class Preamble {
   std::optional<std::string> find_overlay(const Name& file) const {
     return mdl::find_overlay(file.text, folder_, options_);
   }
-  void report_missing_overlay(const Name& file);
+  void report_missing_overlay(const Name& file, const text::Place& at);
   void load_map(const Name& file);
   void set_area(const statement::MissionArea& area);
   void add_start_place(const statement::StartPlace& start);
@@ -59,6 +60,7 @@ class Preamble {
   Damage& damage_;
   std::string folder_;
   const LoadOptions& options_;
+  Settings& settings_;
   text::Diagnostics& diagnostics_;
   text::SourcePtr source_;
   std::vector<std::string> overlays_;

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "mlab/statistics/shares.h"
+#include "mlab/study/definition.h"
+#include "mlab/study/plan.h"
+#include "mlab/study/results_file.h"
+#include "mlab/study/row.h"
+#include "mlab/study/scene.h"
+
+namespace mlab::study {
+
+/// The runs of one version of the mission with one combination of values.
+struct Cell {
+  std::vector<Row> rows;  ///< in the order of their seeds, without a gap
+  statistics::Count successes;
+};
+
+/// How far a batch is.
+struct Progress {
+  std::uint64_t done = 0;    ///< runs that count
+  std::uint64_t all = 0;     ///< at most
+  std::uint64_t before = 0;  ///< of those done, that were there when it began
+  std::uint64_t failed = 0;
+};
+
+/// Carries out the runs of a plan on several threads, each run on one of them. What comes out does not depend
+/// on how many threads there are, or on which run ends first: runs count in the order of their seeds, and
+/// what was run past the end of a combination counts for nothing.
+class Batch {
+ public:
+  /// All outlive it.
+  /// @param scenes  of each version; prepared
+  /// @param kept    where runs are kept as they end; null: nowhere
+  Batch(const Definition& definition, const Plan& plan, const std::vector<std::unique_ptr<Scene>>& scenes,
+        ResultsFile* kept);
+
+  /// Runs that were done before.
+  void take(std::vector<Row> rows);
+
+  enum class End : std::uint8_t { kDone, kInterrupted, kNotKept };
+  /// @param wants_end  asked by all threads, often
+  /// @param look       called by this thread several times a second
+  End run(int threads, const std::function<bool()>& wants_end,
+          const std::function<void(const Progress&)>& look);
+
+  /// Not while it runs.
+  Progress progress() const;
+  /// By version, then combination.
+  const std::vector<Cell>& cells() const { return cells_; }
+  const Cell& cell(std::uint32_t version, std::uint32_t combination) const {
+    return cells_[version * plan_.combinations() + combination];
+  }
+
+ private:
+  struct Open {
+    std::map<std::uint32_t, Row> waiting;  // by run: done, but one before them is not
+    bool is_closed = false;
+  };
+  std::size_t index(const RunKey& key) const { return key.version * plan_.combinations() + key.combination; }
+  std::optional<RunKey> next();
+  void work(const std::function<bool()>& wants_end);
+  Row carry_out_one(const RunKey& key, const std::function<bool()>& wants_end, bool& is_given_up) const;
+  void count(Row row);
+  bool is_enough(const Cell& cell) const;
+
+  const Definition& definition_;
+  const Plan& plan_;
+  const std::vector<std::unique_ptr<Scene>>& scenes_;
+  ResultsFile* kept_;
+
+  mutable std::mutex mutex_;  // of all below
+  std::vector<Cell> cells_;
+  std::vector<Open> open_;
+  std::uint64_t next_ = 0;
+  std::uint64_t before_ = 0;
+  bool is_not_kept_ = false;
+};
+
+/// The interval of a share as the definition wants it: exact, or one for who looked again and again.
+statistics::Interval interval_of(const Definition& definition, statistics::Count count, double confidence);
+
+}  // namespace mlab::study

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mlab/statistics/samples.h"
+#include "mlab/statistics/shares.h"
+
+// Pieces of a page: rows of a label, a drawing that takes the width there is, and a figure. Letters are the
+// page's own, so that they stay readable however narrow it is.
+namespace mlab::study {
+
+/// As text of a page, also between the quotes of an attribute.
+std::string escaped(std::string_view text);
+
+/// Where an axis begins and ends, and what stands at it.
+struct Axis {
+  double low = 0.0;
+  double high = 1.0;
+  std::vector<std::pair<double, std::string>> marks;
+
+  /// In thousandths of the axis.
+  double at(double value) const;
+};
+/// From nothing to all.
+Axis share_axis();
+/// That holds so much, with round marks.
+Axis number_axis(double low, double high);
+std::string axis_row(const Axis& axis);
+
+/// A share as a point, and its interval as a line.
+struct ShareRow {
+  std::string label;
+  statistics::Count count;
+  std::optional<statistics::Interval> interval;  ///< nothing: it has none that would be true
+  bool is_second = false;                        ///< in the second colour
+};
+std::string share_row(const ShareRow& row, const Axis& axis);
+
+/// A sample as bars, and its median as a line.
+struct SampleRow {
+  std::string label;
+  const statistics::Sample* sample = nullptr;
+  bool is_second = false;
+};
+/// @param width  of the bars, in the axis' unit
+std::string sample_row(const SampleRow& row, const Axis& axis, double width);
+
+/// The rows of a table, the first one its head. What is longer than the page is scrolled by itself.
+std::string table(std::string_view caption, const std::vector<std::vector<std::string>>& rows,
+                  std::size_t left_columns);
+
+/// What the page looks like, light and dark.
+std::string_view page_style();
+
+}  // namespace mlab::study

@@ -1,0 +1,174 @@
+#include "mlab/study/dimension.h"
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/text/shown.h"
+
+namespace mlab::study {
+namespace {
+
+std::unexpected<text::Diagnostic> wrong(std::string kind, const text::Place& place, std::string message,
+                                        std::string hint = "") {
+  text::Diagnostic out;
+  out.kind = std::move(kind);
+  out.message = std::move(message);
+  out.place = place;
+  if (!hint.empty()) out.hints.push_back(std::move(hint));
+  return std::unexpected(std::move(out));
+}
+
+std::optional<double> number_in(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// A part of what was written; where it was put together from several places, all of it is meant.
+Written part_of(const Written& all, std::size_t begin, std::size_t end) {
+  while (begin < end && all.text[begin] == ' ') ++begin;
+  while (end > begin && all.text[end - 1] == ' ') --end;
+  Written out{all.text.substr(begin, end - begin), all.place};
+  const bool is_verbatim = all.place.source && all.place.source->text(all.place.span) == all.text;
+  if (is_verbatim) {
+    out.place.span.end = all.place.span.begin + static_cast<std::uint32_t>(end);
+    out.place.span.begin += static_cast<std::uint32_t>(begin);
+  }
+  return out;
+}
+
+std::vector<Written> split(const Written& all) {
+  std::vector<Written> out;
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= all.text.size(); ++i) {
+    const char c = i < all.text.size() ? all.text[i] : ',';
+    if (c == '{' || c == '[' || c == '(') ++depth;
+    if (c == '}' || c == ']' || c == ')') --depth;
+    if (c != ',' || (depth > 0 && i < all.text.size())) continue;
+    out.push_back(part_of(all, begin, i));
+    begin = i + 1;
+  }
+  return out;
+}
+
+// `a..b`: two numbers; nothing where it is something else.
+std::optional<std::pair<double, double>> drawn_between(std::string_view text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string_view::npos) return std::nullopt;
+  const auto low = number_in(text.substr(0, dots));
+  const auto high = number_in(text.substr(dots + 2));
+  if (!low || !high) return std::nullopt;
+  return std::pair(*low, *high);
+}
+
+struct Range {
+  double from = 0.0;
+  double to = 0.0;
+  double step = 1.0;
+};
+std::optional<Range> range_in(std::string_view text) {
+  const std::size_t first = text.find(':');
+  const std::size_t second = first == std::string_view::npos ? first : text.find(':', first + 1);
+  if (second == std::string_view::npos) return std::nullopt;
+  const auto from = number_in(text.substr(0, first));
+  const auto to = number_in(text.substr(first + 1, second - first - 1));
+  const auto step = number_in(text.substr(second + 1));
+  if (!from || !to || !step) return std::nullopt;
+  return Range{*from, *to, *step};
+}
+
+// A tenth is added up to 0.3, not to 0.30000000000000004.
+std::string rounded(double value) {
+  return shortest(number_in(fmt::format("{:.12g}", value)).value_or(value));
+}
+
+text::Result<std::vector<Written>> values_of(const Range& range, const Written& written) {
+  const double steps = (range.to - range.from) / range.step;
+  if (!std::isfinite(steps) || steps < 0.0)
+    return wrong("empty-range", written.place,
+                 fmt::format("steps of {} don't lead from {} to {}", range.step, range.from, range.to),
+                 "a range is FROM:TO:STEP");
+  if (steps >= static_cast<double>(kMostValues))
+    return wrong("too-many-values", written.place,
+                 fmt::format("the range has more than {} values", kMostValues));
+  std::vector<Written> out;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(steps + 1e-9); ++i)
+    out.push_back({rounded(range.from + static_cast<double>(i) * range.step), written.place});
+  return out;
+}
+
+}  // namespace
+
+std::string shortest(double value) {
+  return fmt::format("{}", value);
+}
+
+Written written_in_option(std::string_view option, std::string_view value) {
+  auto source = std::make_shared<const text::Source>(std::string(option), std::string(value));
+  const auto size = static_cast<std::uint32_t>(value.size());
+  return {std::string(value), {std::move(source), {0, size}}};
+}
+
+text::Result<Dimension> dimension_of(Written name, const Written& values) {
+  Dimension out;
+  out.name = std::move(name);
+  if (const auto between = drawn_between(values.text)) {
+    std::tie(out.low, out.high) = *between;
+    if (out.low < out.high) return out;
+    return wrong("empty-range", values.place,
+                 fmt::format("nothing can be drawn between {} and {}", out.low, out.high));
+  }
+  if (const auto range = range_in(values.text)) {
+    auto all = values_of(*range, values);
+    if (!all) return std::unexpected(std::move(all.error()));
+    out.values = std::move(*all);
+    return out;
+  }
+  out.values = split(values);
+  if (out.values.size() > kMostValues)
+    return wrong("too-many-values", values.place, fmt::format("a list has at most {} values", kMostValues));
+  for (const Written& value : out.values) {
+    if (value.empty())
+      return wrong("empty-value", value.place,
+                   fmt::format("`{}` has a value that is empty", text::shown(out.name.text)));
+  }
+  return out;
+}
+
+namespace {
+
+struct Sides {
+  Written name;
+  Written value;
+};
+text::Result<Sides> sides_of(const Written& both) {
+  const std::size_t equals = both.text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    return wrong("no-value", both.place,
+                 fmt::format("expected NAME=VALUE, found `{}`", text::shown(both.text)));
+  return Sides{part_of(both, 0, equals), part_of(both, equals + 1, both.text.size())};
+}
+
+}  // namespace
+
+text::Result<Dimension> dimension_of(const Written& both) {
+  auto sides = sides_of(both);
+  if (!sides) return std::unexpected(std::move(sides.error()));
+  return dimension_of(std::move(sides->name), sides->value);
+}
+
+text::Result<mdl::Setting> setting_of(std::string_view both) {
+  auto sides = sides_of(written_in_option("--set", both));
+  if (!sides) return std::unexpected(std::move(sides.error()));
+  return mdl::Setting{sides->name.text, sides->value.text, sides->name.place, sides->value.place};
+}
+
+}  // namespace mlab::study

@@ -1,0 +1,86 @@
+#include "mlab/study/study_file.h"
+
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mlab/study/plan.h"
+
+namespace mlab::study {
+namespace {
+
+std::string told(const std::string& text, Definition& out) {
+  text::Diagnostics sink;
+  const bool is_good = read_study(std::make_shared<const text::Source>("folder/study.toml", text), out, sink);
+  EXPECT_EQ(is_good, sink.items().empty());
+  return text::render(sink);
+}
+std::string told(const std::string& text) {
+  Definition unused;
+  return told(text, unused);
+}
+
+TEST(StudyFile, HasTheOptionsAsKeys) {
+  Definition d;
+  EXPECT_EQ(told(R"(# a comment
+mission = "demo.mdl"
+runs = 1_000
+seed = 5
+start-time = "2026-03-01 08:30"
+success = 'outcome == done and contacts == 0'
+require = ["success >= 0.95 @ 0.99", "success <= 0.999"]
+until = "decided"
+limit = 900.5
+draw = "latin"
+html = "out.html"
+
+[set]
+base_velocity = [1, 2.5]
+"scout:robot_radius" = "0.1:0.3:0.1"
+avoid_gain = "1..5"
+)",
+                 d),
+            "");
+  EXPECT_EQ(d.mission.text, "folder/demo.mdl");
+  EXPECT_EQ(d.page, "folder/out.html");
+  EXPECT_EQ(d.runs, 1000U);
+  EXPECT_EQ(d.start_time, "2026-03-01 08:30");
+  EXPECT_EQ(d.requirements.size(), 2U);
+  EXPECT_EQ(d.limit, 900.5);
+  EXPECT_TRUE(d.until->is_decided);
+  ASSERT_EQ(d.dimensions.size(), 3U);
+  EXPECT_EQ(d.dimensions[0].name.text, "base_velocity");
+  EXPECT_EQ(d.dimensions[0].values[1].text, "2.5");
+  EXPECT_EQ(d.dimensions[1].name.text, "scout:robot_radius");
+  EXPECT_EQ(d.dimensions[1].values.size(), 3U);
+  EXPECT_TRUE(d.dimensions[2].is_drawn());
+  EXPECT_FALSE(settle(d));
+  EXPECT_EQ(Plan(d).combinations(), 6U);
+}
+
+TEST(StudyFile, SaysWhatIsWrongWithLineAndColumn) {
+  EXPECT_NE(told("mission = \"a.mdl\"\nrun = 3\n").find("study.toml:2:1: error: a study has no `run`"),
+            std::string::npos);
+  EXPECT_NE(told("runs = 0\n").find("study.toml:1:8: error: expected a whole number from 1"),
+            std::string::npos)
+      << told("runs = 0\n");
+  EXPECT_NE(told("success = \"durations < 3\"\n").find("study.toml:1:12: error"), std::string::npos)
+      << told("success = \"durations < 3\"\n");
+  EXPECT_NE(told("[set]\nv = \"1:5:-1\"\n").find("study.toml:2:6: error: steps of -1"), std::string::npos)
+      << told("[set]\nv = \"1:5:-1\"\n");
+  EXPECT_NE(told("runs = [1, 2]\n").find("expected a text or a number"), std::string::npos);
+  EXPECT_NE(told("set = 3\n").find("expected a table of values"), std::string::npos);
+}
+
+TEST(StudyFile, IsTomlOrSaysWhereItIsNot) {
+  EXPECT_NE(told("runs = \n").find("[no-toml]"), std::string::npos);
+  EXPECT_NE(told("a = 1\na = 2\n").find("study.toml:2:"), std::string::npos) << told("a = 1\na = 2\n");
+  for (const std::string& text :
+       {std::string("\xff\xfe"), std::string(1000, '['), std::string("a = \"\\u0000\""),
+        std::string("[set]\n\"\" = \"\"\n"), std::string("mission = \"\"")})
+    EXPECT_NE(told(text), "") << text;
+}
+
+}  // namespace
+}  // namespace mlab::study
