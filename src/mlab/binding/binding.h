@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -89,6 +90,27 @@ class Binding {
   virtual Workers& workers() const = 0;
 
   virtual const WorldView& view() const = 0;
+
+  // ---- checkpoints
+
+  /// Bodies and world between two cycles. Never changed, so it may be shared.
+  class Kept {
+   public:
+    Kept() = default;
+    Kept(const Kept&) = delete;
+    Kept& operator=(const Kept&) = delete;
+    virtual ~Kept() = default;
+    /// That it takes up, about; without what it shares with others.
+    virtual std::size_t bytes() const = 0;
+  };
+  /// @errors  why there is no way back to here, as a sentence
+  virtual std::expected<std::shared_ptr<const Kept>, std::string> save() const {
+    return std::unexpected("bodies that are not simulated can't be put back to where they were");
+  }
+  /// Goes on from there.
+  /// @param kept  of this binding, or of another one of this kind and seed
+  /// @return  false: it is of another kind, and nothing has changed
+  virtual bool restore(const Kept& /*kept*/) { return false; }
 
   // ---- what is made up can be changed; a world that is there as it is stays so
 

@@ -79,7 +79,7 @@ struct RowStanding {
 class Failsafes {
  public:
   /// @param rows  the highest rank first, at most kMostFailsafes
-  explicit Failsafes(std::span<const mission::Failsafe> rows);
+  explicit Failsafes(std::span<const mission::Failsafe> rows = {});
   bool empty() const { return rows_.empty(); }
   const std::vector<mission::Failsafe>& rows() const { return rows_; }
   /// Whether the table has a row that can only come true then.

@@ -39,17 +39,16 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
              const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed,
              std::unique_ptr<robot::ProgramRunner> elsewhere)
     : binding_(binding),
-      failsafes_({}),
       workers_(static_cast<std::size_t>(binding.workers().count())),
       runners_(seed, binding.workers().count(), std::move(elsewhere)) {
   for (const mission::Robot& declared : mission.robots) {
-    robots_.push_back(make_robot(mission, declared, programs, bodies));
-    enrol(robots_.back());
+    now_.robots.push_back(make_robot(mission, declared, programs, bodies));
+    enrol(now_.robots.back());
   }
-  std::sort(robots_.begin(), robots_.end(),
+  std::sort(now_.robots.begin(), now_.robots.end(),
             [](const FleetRobot& a, const FleetRobot& b) { return a.id < b.id; });
-  poses_.resize(robots_.size());
-  bodies_.resize(robots_.size(), binding::kNoBody);
+  now_.poses.resize(now_.robots.size());
+  bodies_.resize(now_.robots.size(), binding::kNoBody);
   form_teams(mission);
   exchange_failsafes(mission);
 }
@@ -57,7 +56,7 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
 /// A team is the outermost unit that a robot belongs to; a robot of no unit is a team of its own.
 void Fleet::form_teams(const mission::Mission& mission) {
   constexpr std::uint32_t kAlone = 0x80000000U;
-  for (FleetRobot& robot : robots_) robot.team = kAlone + robot.id.value;
+  for (FleetRobot& robot : now_.robots) robot.team = kAlone + robot.id.value;
   std::vector<bool> is_part(mission.units.size());
   for (const mission::Unit& unit : mission.units) {
     for (const std::uint32_t part : unit.parts) is_part[part] = true;
@@ -66,10 +65,10 @@ void Fleet::form_teams(const mission::Mission& mission) {
     if (is_part[i]) continue;
     for (const base::RobotId id : mission.units[i].members) {
       const FleetRobot* const member = find(id);
-      if (member != nullptr && member->team >= kAlone) robots_[index_of(*member)].team = i;
+      if (member != nullptr && member->team >= kAlone) now_.robots[index_of(*member)].team = i;
     }
   }
-  for (const FleetRobot& robot : robots_) {
+  for (const FleetRobot& robot : now_.robots) {
     if (robot.life != RobotLife::kNotStarted) binding_.set_unit(robot.body, unit_of_team(robot));
   }
 }
@@ -99,9 +98,9 @@ void Fleet::dismiss(const FleetRobot& robot) {
 
 const FleetRobot* Fleet::find(base::RobotId id) const {
   const auto at =
-      std::lower_bound(robots_.begin(), robots_.end(), id,
+      std::lower_bound(now_.robots.begin(), now_.robots.end(), id,
                        [](const FleetRobot& robot, base::RobotId wanted) { return robot.id < wanted; });
-  return at != robots_.end() && at->id == id ? &*at : nullptr;
+  return at != now_.robots.end() && at->id == id ? &*at : nullptr;
 }
 
 std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, geom::Pose pose) {
@@ -109,11 +108,11 @@ std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, ge
   if (found == nullptr) return std::unexpected("can't start: there is no such robot");
   if (found->life == RobotLife::kRunning || found->life == RobotLife::kParked)
     return std::unexpected("is started already");
-  FleetRobot& robot = robots_[index_of(*found)];
+  FleetRobot& robot = now_.robots[index_of(*found)];
   const auto placement = embody(robot, pose);
   if (!placement) return placement;
   robot.start = placement->pose;
-  if (!start_program(robot)) new_faults_.push_back(id);
+  if (!start_program(robot)) now_.new_faults.push_back(id);
   return placement;
 }
 
@@ -125,7 +124,7 @@ std::expected<binding::Placement, std::string> Fleet::embody(FleetRobot& robot, 
   const std::size_t index = index_of(robot);
   robot.body = bodies_[index] = placement->body;
   robot.capabilities = binding_.capabilities(robot.body);
-  poses_[index] = placement->pose;
+  now_.poses[index] = placement->pose;
   actions_.resize(std::max<std::size_t>(actions_.size(), robot.body.value + std::size_t{1}));
   return placement;
 }
@@ -137,9 +136,9 @@ std::optional<std::string> Fleet::replace(base::RobotId id) {
     return fmt::format("robot {} has no fault that another one would be needed for: {}", id.value,
                        name(found->life));
   const std::size_t index = index_of(*found);
-  FleetRobot& robot = robots_[index];
+  FleetRobot& robot = now_.robots[index];
   if (!robot.ailment.empty()) {
-    if (const auto placement = embody(robot, poses_[index]); !placement)
+    if (const auto placement = embody(robot, now_.poses[index]); !placement)
       return fmt::format("robot {} {}", id.value, placement.error());
   }
   if (start_program(robot)) return std::nullopt;
@@ -164,20 +163,20 @@ bool Fleet::start_program(FleetRobot& robot) {
 void Fleet::leave_groups(std::span<const std::uint32_t> members) {
   std::vector<std::uint32_t> touched;
   for (const std::uint32_t member : members) {
-    const std::uint32_t group = std::exchange(robots_[member].group, FleetRobot::kNoGroup);
+    const std::uint32_t group = std::exchange(now_.robots[member].group, FleetRobot::kNoGroup);
     if (group != FleetRobot::kNoGroup) touched.push_back(group);
   }
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   for (const std::uint32_t left : touched) {
-    Group& group = groups_[left];
-    std::erase_if(group.members, [&](std::uint32_t member) { return robots_[member].group != left; });
+    Group& group = now_.groups[left];
+    std::erase_if(group.members, [&](std::uint32_t member) { return now_.robots[member].group != left; });
     if (group.members.empty()) {
       group = {};
-      free_groups_.push_back(left);
+      now_.free_groups.push_back(left);
     }
     for (std::size_t rank = 0; rank < group.members.size(); ++rank)
-      robots_[group.members[rank]].rank = static_cast<std::uint32_t>(rank);
+      now_.robots[group.members[rank]].rank = static_cast<std::uint32_t>(rank);
   }
 }
 
@@ -190,10 +189,10 @@ void Fleet::order(const mission::effect::Order& effect) {
       group.members.push_back(static_cast<std::uint32_t>(index_of(*robot)));
   }
   if (group.members.empty()) return;
-  const FleetRobot& leader = robots_[group.members.front()];
+  const FleetRobot& leader = now_.robots[group.members.front()];
   // A formation goes on looking where it looked, whichever order it gets next.
   if (leader.group != FleetRobot::kNoGroup) {
-    const Group& before = groups_[leader.group];
+    const Group& before = now_.groups[leader.group];
     group.formation_heading = before.formation_heading;
     if (before.members == group.members) {
       group.center = before.center;
@@ -207,19 +206,19 @@ void Fleet::order(const mission::effect::Order& effect) {
   group.heading_trigger = leader.program->number("formation_default_trigger").value_or(group.heading_trigger);
 
   leave_groups(group.members);
-  auto slot = static_cast<std::uint32_t>(groups_.size());
-  if (!free_groups_.empty()) {
-    slot = free_groups_.back();
-    free_groups_.pop_back();
+  auto slot = static_cast<std::uint32_t>(now_.groups.size());
+  if (!now_.free_groups.empty()) {
+    slot = now_.free_groups.back();
+    now_.free_groups.pop_back();
   } else {
-    groups_.emplace_back();
+    now_.groups.emplace_back();
   }
   for (std::size_t rank = 0; rank < group.members.size(); ++rank) {
-    FleetRobot& robot = robots_[group.members[rank]];
+    FleetRobot& robot = now_.robots[group.members[rank]];
     robot.group = slot;
     robot.rank = static_cast<std::uint32_t>(rank);
   }
-  groups_[slot] = std::move(group);
+  now_.groups[slot] = std::move(group);
 }
 
 void Fleet::stop(base::RobotId id) {
@@ -227,58 +226,59 @@ void Fleet::stop(base::RobotId id) {
   if (found == nullptr || found->life == RobotLife::kNotStarted) return;
   const auto index = static_cast<std::uint32_t>(index_of(*found));
   leave_groups({&index, 1});
-  robots_[index].life = RobotLife::kStopped;
-  robots_[index].action = {};
+  now_.robots[index].life = RobotLife::kStopped;
+  now_.robots[index].action = {};
 }
 
 void Fleet::set_joystick(base::RobotId id, const percept::Joystick& joystick) {
   const FleetRobot* found = find(id);
   if (found == nullptr) return;
-  FleetRobot& robot = robots_[index_of(*found)];
+  FleetRobot& robot = now_.robots[index_of(*found)];
   robot.joystick = joystick;
   robot.is_stick_held = true;
 }
 
 void Fleet::let_go_of_stick(base::RobotId id) {
   set_joystick(id, {});
-  if (const FleetRobot* found = find(id)) robots_[index_of(*found)].is_stick_held = false;
+  if (const FleetRobot* found = find(id)) now_.robots[index_of(*found)].is_stick_held = false;
 }
 
 void Fleet::set_teleoperated(std::span<const base::RobotId> robots) {
-  for (FleetRobot& robot : robots_) robot.is_teleoperated = std::ranges::binary_search(robots, robot.id);
+  for (FleetRobot& robot : now_.robots) robot.is_teleoperated = std::ranges::binary_search(robots, robot.id);
 }
 
 const Group* Fleet::group(const FleetRobot& robot) const {
-  return robot.group == FleetRobot::kNoGroup ? nullptr : &groups_[robot.group];
+  return robot.group == FleetRobot::kNoGroup ? nullptr : &now_.groups[robot.group];
 }
 
 double Fleet::station_error(const FleetRobot& robot) const {
-  return robot.group == FleetRobot::kNoGroup ? 0.0
-                                             : fleet::station_error(groups_[robot.group], robot.rank, poses_);
+  return robot.group == FleetRobot::kNoGroup
+             ? 0.0
+             : fleet::station_error(now_.groups[robot.group], robot.rank, now_.poses);
 }
 
 std::optional<geom::Point> Fleet::station_place(const FleetRobot& robot) const {
   if (robot.group == FleetRobot::kNoGroup) return std::nullopt;
-  return fleet::station_place(groups_[robot.group], robot.rank, poses_);
+  return fleet::station_place(now_.groups[robot.group], robot.rank, now_.poses);
 }
 
 void Fleet::update_poses() {
-  binding_.poses(bodies_, poses_);
+  binding_.poses(bodies_, now_.poses);
 }
 
 void Fleet::step(double dt) {
   update_poses();
-  for (Group& group : groups_) update_group(group, poses_);
+  for (Group& group : now_.groups) update_group(group, now_.poses);
   look_after_bodies();
   run_programs(dt);
   for (percept::Action& action : actions_) action = {};
-  for (FleetRobot& robot : robots_) {
+  for (FleetRobot& robot : now_.robots) {
     if (robot.life == RobotLife::kRunning)
       collect(robot, dt);
-    else if (robot.life == RobotLife::kFaulted && failsafes_.drives(robot.failsafe))
+    else if (robot.life == RobotLife::kFaulted && now_.failsafes->drives(robot.failsafe))
       go_on_by_failsafe(robot, dt);
   }
-  messages_.resolve(robots_, binding_.time());
+  now_.messages.resolve(now_.robots, binding_.time());
   binding_.carry_out(actions_, dt);
   update_poses();
 }
@@ -289,27 +289,28 @@ void Fleet::look_after_bodies() {
   binding_.health(ailments_);
   if (ailments_.empty()) return;
   std::ranges::sort(ailments_, {}, &binding::Ailment::body);
-  for (FleetRobot& robot : robots_) {
+  for (FleetRobot& robot : now_.robots) {
     if (robot.life != RobotLife::kRunning) continue;
     const auto ailment = std::ranges::lower_bound(ailments_, robot.body, {}, &binding::Ailment::body);
     if (ailment == ailments_.end() || ailment->body != robot.body) continue;
     robot.life = RobotLife::kFaulted;
     robot.action = {};
     robot.ailment = std::move(ailment->what);
-    new_faults_.push_back(robot.id);
+    now_.new_faults.push_back(robot.id);
   }
 }
 
 void Fleet::run_programs(double dt) {
-  for (const FleetRobot& robot : robots_) {
+  for (const FleetRobot& robot : now_.robots) {
     if (robot.life == RobotLife::kRunning) robot.runner->join(robot.member);
   }
   for (const auto& runner : runners_) runner->open();
-  binding_.workers().run(robots_.size(), kRobotsAtOnce, [&](std::size_t begin, std::size_t end, int worker) {
-    for (std::size_t i = begin; i < end; i += kRobotsAtOnce) {
-      run_piece(i, std::min(end, i + kRobotsAtOnce), dt, worker);
-    }
-  });
+  binding_.workers().run(now_.robots.size(), kRobotsAtOnce,
+                         [&](std::size_t begin, std::size_t end, int worker) {
+                           for (std::size_t i = begin; i < end; i += kRobotsAtOnce) {
+                             run_piece(i, std::min(end, i + kRobotsAtOnce), dt, worker);
+                           }
+                         });
   for (const auto& runner : runners_) runner->ask();
   for (const auto& runner : runners_) runner->wait(meanwhile_);
 }
@@ -319,7 +320,7 @@ void Fleet::collect(FleetRobot& robot, double dt) {
   if (!robot.failure.empty() || !robot::is_number(robot.action)) {
     robot.life = RobotLife::kFaulted;
     robot.action = {};
-    new_faults_.push_back(robot.id);
+    now_.new_faults.push_back(robot.id);
     return;
   }
   if (robot.failsafes != 0 && !guard(robot, dt)) return;
@@ -329,7 +330,7 @@ void Fleet::collect(FleetRobot& robot, double dt) {
 
 void Fleet::brake(double dt) {
   for (percept::Action& action : actions_) action = {};
-  for (FleetRobot& robot : robots_) {
+  for (FleetRobot& robot : now_.robots) {
     const percept::OrderStatus status = robot.action.status;
     robot.action = {};
     robot.action.status = status;
@@ -340,7 +341,7 @@ void Fleet::brake(double dt) {
 
 Fleet::Bodies Fleet::bodies() const {
   Bodies out;
-  for (const FleetRobot& robot : robots_) {
+  for (const FleetRobot& robot : now_.robots) {
     if (robot.life == RobotLife::kNotStarted) continue;
     ++out.all;
     if (geom::length(binding_.view().body(robot.body).velocity) > 0.0) ++out.moving;
@@ -352,7 +353,7 @@ std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_vi
                                                 const std::string& value) {
   const FleetRobot* found = find(id);
   if (found == nullptr) return fmt::format("there is no robot {}", id.value);
-  FleetRobot& robot = robots_[index_of(*found)];
+  FleetRobot& robot = now_.robots[index_of(*found)];
   if (robot.runner == nullptr) return fmt::format("robot {} has no program", id.value);
   return robot.runner->set(robot.member, path, value);
 }
@@ -362,7 +363,7 @@ std::expected<FleetRobot*, std::string> Fleet::running(base::RobotId id) {
   if (found == nullptr) return std::unexpected(fmt::format("there is no robot {}", id.value));
   if (found->life != RobotLife::kRunning)
     return std::unexpected(fmt::format("robot {} does not run: {}", id.value, name(found->life)));
-  return &robots_[index_of(*found)];
+  return &now_.robots[index_of(*found)];
 }
 
 std::vector<robot::SilentMachine> Fleet::silent_machines() const {
@@ -408,8 +409,8 @@ percept::Percepts Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& 
 void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const {
   out.cycle_duration = dt;
   if (robot.group != FleetRobot::kNoGroup) {
-    out.order = groups_[robot.group].order;
-    out.unit = unit_percept(groups_[robot.group], robot.rank, poses_);
+    out.order = now_.groups[robot.group].order;
+    out.unit = unit_percept(now_.groups[robot.group], robot.rank, now_.poses);
   } else {
     out.unit.center = out.pose.position;
     out.unit.leader = out.unit.neighbor = out.pose;
@@ -417,8 +418,8 @@ void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out)
   out.joystick = robot.joystick;
   out.id = robot.id;
   out.notifications = robot.notifications;
-  out.shared_places = messages_.places();
-  out.claims = messages_.claims(robot.team);
+  out.shared_places = now_.messages.places();
+  out.claims = now_.messages.claims(robot.team);
 }
 
 // In pieces that stay in the cache: senses first, then programs; neighbours that are run at the same place
@@ -427,44 +428,44 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
   Worker& worker = workers_[static_cast<std::size_t>(index)];
   std::size_t count = 0;
   for (std::size_t i = begin; i < end; ++i) {
-    if (robots_[i].life == RobotLife::kRunning) worker.robots[count++] = static_cast<std::uint32_t>(i);
+    if (now_.robots[i].life == RobotLife::kRunning) worker.robots[count++] = static_cast<std::uint32_t>(i);
   }
   for (std::size_t first = 0, last = 0; first < count; first = last) {
-    robot::ProgramRunner& runner = *robots_[worker.robots[first]].runner;
-    for (last = first; last < count && robots_[worker.robots[last]].runner == &runner; ++last)
-      worker.members[last] = robots_[worker.robots[last]].member;
+    robot::ProgramRunner& runner = *now_.robots[worker.robots[first]].runner;
+    for (last = first; last < count && now_.robots[worker.robots[last]].runner == &runner; ++last)
+      worker.members[last] = now_.robots[worker.robots[last]].member;
     runner.needs({&worker.members[first], last - first}, {&worker.needs[first], last - first});
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const FleetRobot& robot = robots_[worker.robots[i]];
-    if (robot.failsafes != 0) worker.needs[i].add(failsafes_.needs(robot.failsafes, robot.failsafe));
+    const FleetRobot& robot = now_.robots[worker.robots[i]];
+    if (robot.failsafes != 0) worker.needs[i].add(now_.failsafes->needs(robot.failsafes, robot.failsafe));
   }
   for (std::size_t i = 0; i < count; ++i) {
     std::construct_at(&worker.percepts[i]);  // an assignment would copy what it makes
-    worker.senses[i] = {robots_[worker.robots[i]].body, &worker.needs[i], &worker.percepts[i]};
+    worker.senses[i] = {now_.robots[worker.robots[i]].body, &worker.needs[i], &worker.percepts[i]};
   }
   binding_.percepts({worker.senses.data(), count}, index);
   for (std::size_t i = 0; i < count; ++i) {
-    FleetRobot& robot = robots_[worker.robots[i]];
+    FleetRobot& robot = now_.robots[worker.robots[i]];
     if (robot.failsafes != 0) note_seen(worker.robots[i], worker.percepts[i]);
     add_told(robot, dt, worker.percepts[i]);
     worker.turns[i] = {robot.member, &worker.percepts[i], &robot.action, &robot.fault, &robot.failure};
   }
   for (std::size_t first = 0, last = 0; first < count; first = last) {
-    robot::ProgramRunner& runner = *robots_[worker.robots[first]].runner;
-    while (last < count && robots_[worker.robots[last]].runner == &runner) ++last;
+    robot::ProgramRunner& runner = *now_.robots[worker.robots[first]].runner;
+    while (last < count && now_.robots[worker.robots[last]].runner == &runner) ++last;
     runner.act({&worker.turns[first], last - first});
   }
 }
 
 void Fleet::report(std::vector<mission::RobotReport>& out) const {
   out.clear();
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const FleetRobot& robot = robots_[i];
+  for (std::size_t i = 0; i < now_.robots.size(); ++i) {
+    const FleetRobot& robot = now_.robots[i];
     if (robot.life == RobotLife::kNotStarted) continue;
     mission::RobotReport report;
     report.id = robot.id;
-    report.pose = poses_[i];
+    report.pose = now_.poses[i];
     report.radius = robot.capabilities.radius;
     report.is_running = robot.life == RobotLife::kRunning || robot.life == RobotLife::kParked;
     report.sequence = robot.action.status.sequence;
@@ -478,20 +479,20 @@ void Fleet::note_calls(const FleetRobot& robot) {
   const percept::Action& action = robot.action;
   if (action.alert.front() != 0) {
     const std::string_view text(action.alert.data(), ::strnlen(action.alert.data(), action.alert.size()));
-    calls_.push_back({robot.id, RobotCall::Kind::kAlert, std::string(text)});
+    now_.calls.push_back({robot.id, RobotCall::Kind::kAlert, std::string(text)});
   }
   for (std::uint8_t i = 0; i < action.request_count; ++i) {
     using Kind = percept::Request::Kind;
     const Kind kind = action.requests[i].kind;
-    if (kind == Kind::kProceed) calls_.push_back({robot.id, RobotCall::Kind::kProceed, {}});
-    if (kind == Kind::kHalt) calls_.push_back({robot.id, RobotCall::Kind::kHalt, {}});
-    if (kind == Kind::kEndMission) calls_.push_back({robot.id, RobotCall::Kind::kEndMission, {}});
+    if (kind == Kind::kProceed) now_.calls.push_back({robot.id, RobotCall::Kind::kProceed, {}});
+    if (kind == Kind::kHalt) now_.calls.push_back({robot.id, RobotCall::Kind::kHalt, {}});
+    if (kind == Kind::kEndMission) now_.calls.push_back({robot.id, RobotCall::Kind::kEndMission, {}});
   }
 }
 
 void Fleet::notify(base::RobotId id, std::string_view notification) {
-  const auto robot = std::ranges::find(robots_, id, &FleetRobot::id);
-  if (robot == robots_.end()) return;
+  const auto robot = std::ranges::find(now_.robots, id, &FleetRobot::id);
+  if (robot == now_.robots.end()) return;
   std::vector<std::uint64_t>& inbox = robot->notifications;
   const std::uint64_t hash = base::hash_text(notification);
   const auto at = std::ranges::lower_bound(inbox, hash);
@@ -499,11 +500,11 @@ void Fleet::notify(base::RobotId id, std::string_view notification) {
 }
 
 std::vector<RobotCall> Fleet::take_calls() {
-  return std::exchange(calls_, {});
+  return std::exchange(now_.calls, {});
 }
 
 std::vector<base::RobotId> Fleet::take_new_faults() {
-  return std::exchange(new_faults_, {});
+  return std::exchange(now_.new_faults, {});
 }
 
 }  // namespace mlab::fleet

@@ -15,6 +15,8 @@
 
 #include "mlab/binding/binding.h"
 #include "mlab/fleet/failsafes.h"
+#include "mlab/fleet/fleet_robot.h"
+#include "mlab/fleet/fleet_state.h"
 #include "mlab/fleet/group.h"
 #include "mlab/fleet/messages.h"
 #include "mlab/flow/carry_over.h"
@@ -27,68 +29,6 @@
 #include "mlab/robot/program/robot_program.h"
 
 namespace mlab::fleet {
-
-/// What became of a robot.
-enum class RobotLife : std::uint8_t {
-  kNotStarted,  ///< no START yet
-  kRunning,
-  kParked,   ///< stands in the world, but nothing here answers to its program's name
-  kStopped,  ///< by STOP or abort; it keeps standing
-  kFaulted,  ///< its program failed or put out what is no number, or its body is gone; the others go on
-};
-std::string_view name(RobotLife life);
-
-/// Something that a robot wants of its operator, or of the run as a whole.
-struct RobotCall {
-  enum class Kind : std::uint8_t {
-    kAlert,       ///< `text` is to be shown
-    kProceed,     ///< asks whether it may go on
-    kHalt,        ///< its program has ended
-    kEndMission,  ///< the mission is to end for all
-    kFailsafe,    ///< `text` says which failsafe acts, or no longer
-  };
-  base::RobotId robot;
-  Kind kind = Kind::kAlert;
-  std::string text;
-};
-
-/// One robot of the run.
-struct FleetRobot {
-  base::RobotId id;
-  std::string type;  ///< name of its robot type
-  const robot::RobotProgram* program = nullptr;
-  binding::BodySpec body_spec;         ///< as the mission wants it
-  binding::Capabilities capabilities;  ///< as it is, once started; before, as the mission wants it
-  percept::ObjectClass seen_as = percept::ObjectClass::kFriendlyRobot;  ///< when it starts, by its colour
-  RobotLife life = RobotLife::kNotStarted;
-  binding::BodyIndex body = binding::kNoBody;  ///< once started
-  std::uint32_t group = kNoGroup;
-  std::uint32_t rank = 0;
-  percept::Action action;  ///< of the last cycle
-  percept::Joystick joystick;
-  bool is_teleoperated = false;              ///< an operator is to steer it
-  bool is_stick_held = false;                ///< and somebody has the stick in his hand, wherever that points
-  std::vector<std::uint64_t> notifications;  ///< its inbox, ascending
-  std::uint32_t team = 0;                    ///< robots of the same number are one team
-  geom::Pose start;
-  std::uint16_t failsafes = 0;  ///< rows of the mission's table that are its own, a bit for each
-  FailsafeState failsafe;
-  std::string fault;    ///< path of the port that went wrong; empty: none
-  std::string failure;  ///< what the process of its program did instead of acting: `ended with exit status 3`
-  std::string ailment;  ///< why its body could not be counted on any more: `has no more percepts`
-  robot::ProgramRunner* runner = nullptr;   ///< of its program; null: nothing here answers to its name
-  robot::ProgramRunner::Member member = 0;  ///< among those of the runner
-
-  /// What its program computes with.
-  robot::Workings workings() const {
-    return runner != nullptr ? runner->workings(member) : robot::Workings{};
-  }
-
-  static constexpr std::uint32_t kNoGroup = 0xffffffffU;
-};
-/// What its program or its body did instead of going on, as a sentence: `its program `scout` ended with exit
-/// status 3`. Empty: nothing, it has no fault.
-std::string failure_of(const FleetRobot& robot);
 
 /// The robots of a run in this process: steps their programs against their bodies, all by the same seed.
 ///
@@ -162,17 +102,17 @@ class Fleet {
   };
   Bodies bodies() const;
 
-  const std::vector<FleetRobot>& robots() const { return robots_; }
+  const std::vector<FleetRobot>& robots() const { return now_.robots; }
   /// That carry some of the robots.
   std::vector<robot::SilentMachine> silent_machines() const;
   /// Of those that nobody waits for; null: all are waited for.
   const robot::Punctuality* punctuality() const;
   const FleetRobot* find(base::RobotId id) const;
-  geom::Pose pose(const FleetRobot& robot) const { return poses_[index_of(robot)]; }
+  geom::Pose pose(const FleetRobot& robot) const { return now_.poses[index_of(robot)]; }
   /// The failsafe that the robot is under, as the mission's language writes it; empty: none.
   std::string failsafe(const FleetRobot& robot) const;
   /// The table that is in force, and how each of its rows stands for the robot, between two cycles [s].
-  const Failsafes& failsafes() const { return failsafes_; }
+  const Failsafes& failsafes() const { return *now_.failsafes; }
   std::vector<RowStanding> standings(const FleetRobot& robot, double dt) const;
   /// What its failsafes look at, but for what is in its way. Of a robot that was not started, what is known
   /// of its body.
@@ -197,6 +137,14 @@ class Fleet {
   percept::Percepts perceive_at(const FleetRobot& robot, const geom::Pose& pose, const percept::Needs& needs,
                                 double dt) const;
 
+  /// How it stands, between two cycles.
+  /// @errors  a sentence: a robot's values are kept where they can't be put back
+  std::expected<FleetCheckpoint, std::string> save() const;
+  /// Goes on from there. Robots whose program is still computed at the same place keep their processes.
+  /// @param checkpoint  of this fleet, or of one of the same mission, programs and seed; its programs are
+  ///                    there as long as `uses` says so
+  void restore(const FleetCheckpoint& checkpoint);
+
   /// Robots that faulted since the last call, to be told once.
   std::vector<base::RobotId> take_new_faults();
 
@@ -214,7 +162,7 @@ class Fleet {
   /// One whose program runs now. @errors  a sentence
   std::expected<FleetRobot*, std::string> running(base::RobotId id);
   std::size_t index_of(const FleetRobot& robot) const {
-    return static_cast<std::size_t>(&robot - robots_.data());
+    return static_cast<std::size_t>(&robot - now_.robots.data());
   }
   FleetRobot make_robot(const mission::Mission& mission, const mission::Robot& declared,
                         const std::vector<robot::RobotProgram>& programs,
@@ -228,6 +176,7 @@ class Fleet {
   void look_after_bodies();
   /// Gives the robot's program to who runs it, and takes it from there.
   void enrol(FleetRobot& robot);
+  void enrol_again(FleetRobot& robot, const robot::RobotMemory& memory);
   static void dismiss(const FleetRobot& robot);
   /// @param exchange  called for robots in the world that can't keep their program
   void edit(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
@@ -246,34 +195,19 @@ class Fleet {
   /// Its program is gone, its body goes on.
   void go_on_by_failsafe(FleetRobot& robot, double dt);
   void exchange_failsafes(const mission::Mission& mission);
-  /// What failsafes of a robot sensed in this cycle.
-  struct Seen {
-    bool touches = false;
-    std::vector<percept::Obstacle> obstacles;
-    std::vector<percept::RobotReading> others;
-  };
   void note_seen(std::size_t robot, const percept::Percepts& percepts);
   /// With what is in its way.
   Situation situation_of(const FleetRobot& robot, double dt);
   void look_for_passage(const FleetRobot& robot, double reach);
 
   binding::Binding& binding_;
-  std::vector<FleetRobot> robots_;          // by id, ascending
-  std::vector<binding::BodyIndex> bodies_;  // of robots_
-  std::vector<geom::Pose> poses_;           // at the start of the cycle
-  Messages messages_;
-  Failsafes failsafes_;
-  std::vector<Seen> seen_;  // by index of robots_, where there are failsafes
+  FleetState now_;
+  std::vector<binding::BodyIndex> bodies_;  // of now_.robots
   binding::Passage passage_;
-  overlay::Area area_;         // of the mission
-  std::vector<Group> groups_;  // slots are used again
-  std::vector<std::uint32_t> free_groups_;
   std::vector<percept::Action> actions_;  // by body
   std::vector<Worker> workers_;
-  std::vector<RobotCall> calls_;
   robot::ProgramRunners runners_;
   robot::Meanwhile meanwhile_;
-  std::vector<base::RobotId> new_faults_;
   std::vector<binding::Ailment> ailments_;
 };
 

@@ -48,8 +48,8 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
                  const std::function<void(FleetRobot&, const robot::RobotProgram&)>& exchange) {
   std::vector<FleetRobot> robots;
   std::map<base::RobotId, std::uint32_t> places;  // of robots that stay, before
-  for (std::uint32_t i = 0; i < robots_.size(); ++i) places[robots_[i].id] = i;
-  std::vector<std::uint32_t> moved_to(robots_.size(), FleetRobot::kNoGroup);
+  for (std::uint32_t i = 0; i < now_.robots.size(); ++i) places[now_.robots[i].id] = i;
+  std::vector<std::uint32_t> moved_to(now_.robots.size(), FleetRobot::kNoGroup);
   for (const mission::Robot& declared : mission.robots) {
     const auto at = places.find(declared.id);
     FleetRobot fresh = make_robot(mission, declared, programs, bodies);
@@ -58,7 +58,7 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
       robots.push_back(std::move(fresh));
       continue;
     }
-    FleetRobot& known = robots_[at->second];
+    FleetRobot& known = now_.robots[at->second];
     const bool is_running = known.life == RobotLife::kRunning;
     const bool keeps_program =
         known.runner != nullptr && known.runner->take_over(known.member, *fresh.program, is_running);
@@ -80,14 +80,14 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
     }
   }
   // A robot that is in the world stays there, whatever the plan says.
-  for (std::uint32_t i = 0; i < robots_.size(); ++i) {
+  for (std::uint32_t i = 0; i < now_.robots.size(); ++i) {
     const bool is_planned =
-        std::ranges::binary_search(mission.robots, robots_[i].id, {}, &mission::Robot::id);
-    if (is_planned || robots_[i].life != RobotLife::kNotStarted) {
-      robots.push_back(robots_[i]);
+        std::ranges::binary_search(mission.robots, now_.robots[i].id, {}, &mission::Robot::id);
+    if (is_planned || now_.robots[i].life != RobotLife::kNotStarted) {
+      robots.push_back(now_.robots[i]);
     } else {
       leave_groups({&i, 1});
-      dismiss(robots_[i]);
+      dismiss(now_.robots[i]);
     }
   }
   std::sort(robots.begin(), robots.end(),
@@ -95,13 +95,13 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
   for (std::uint32_t i = 0; i < robots.size(); ++i) {
     if (const auto at = places.find(robots[i].id); at != places.end()) moved_to[at->second] = i;
   }
-  for (Group& group : groups_) {
+  for (Group& group : now_.groups) {
     for (std::uint32_t& member : group.members) member = moved_to[member];
   }
-  robots_ = std::move(robots);
+  now_.robots = std::move(robots);
   bodies_.clear();
-  for (const FleetRobot& robot : robots_) bodies_.push_back(robot.body);
-  poses_.assign(robots_.size(), {});
+  for (const FleetRobot& robot : now_.robots) bodies_.push_back(robot.body);
+  now_.poses.assign(now_.robots.size(), {});
   update_poses();
   form_teams(mission);
   exchange_failsafes(mission);
@@ -110,19 +110,19 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
 // Where the table is another one nothing has happened yet.
 void Fleet::exchange_failsafes(const mission::Mission& mission) {
   const auto is_same = [](const mission::Failsafe& a, const mission::Failsafe& b) { return a.is_same(b); };
-  const bool has_changed = !std::ranges::equal(failsafes_.rows(), mission.failsafes, is_same);
-  if (has_changed) failsafes_ = Failsafes(mission.failsafes);
-  seen_.clear();
-  if (!failsafes_.empty()) seen_.resize(robots_.size());
-  area_ = mission.overlay.mission_area();
-  for (FleetRobot& robot : robots_) {
-    robot.failsafes = failsafes_.rows_of(robot.type);
+  const bool has_changed = !std::ranges::equal(now_.failsafes->rows(), mission.failsafes, is_same);
+  if (has_changed) now_.failsafes = std::make_shared<const Failsafes>(mission.failsafes);
+  now_.seen.clear();
+  if (!now_.failsafes->empty()) now_.seen.resize(now_.robots.size());
+  now_.area = mission.overlay.mission_area();
+  for (FleetRobot& robot : now_.robots) {
+    robot.failsafes = now_.failsafes->rows_of(robot.type);
     if (has_changed) robot.failsafe = {};
   }
 }
 
 bool Fleet::uses(const std::vector<robot::RobotProgram>& programs) const {
-  return std::any_of(robots_.begin(), robots_.end(), [&](const FleetRobot& robot) {
+  return std::any_of(now_.robots.begin(), now_.robots.end(), [&](const FleetRobot& robot) {
     return robot.program >= programs.data() && robot.program < programs.data() + programs.size();
   });
 }

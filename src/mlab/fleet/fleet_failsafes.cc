@@ -14,11 +14,11 @@ constexpr double kCruiseSpeed = 1.0;  // of programs that have no speed of their
 
 // Kept until its program has answered: lists of percepts are another robot's by then.
 void Fleet::note_seen(std::size_t robot, const percept::Percepts& percepts) {
-  Seen& seen = seen_[robot];
+  SeenByFailsafes& seen = now_.seen[robot];
   seen.touches = percepts.touch != geom::Vector{};
   seen.obstacles.clear();
   seen.others.clear();
-  if (!failsafes_.returns(robots_[robot].failsafe)) return;
+  if (!now_.failsafes->returns(now_.robots[robot].failsafe)) return;
   seen.obstacles.assign(percepts.obstacles.begin(), percepts.obstacles.end());
   seen.others.assign(percepts.robots.begin(), percepts.robots.end());
 }
@@ -27,7 +27,7 @@ void Fleet::note_seen(std::size_t robot, const percept::Percepts& percepts) {
 void Fleet::look_for_passage(const FleetRobot& robot, double reach) {
   passage_.clear();
   if (reach <= 0.0) return;
-  const geom::Point here = poses_[index_of(robot)].position;
+  const geom::Point here = now_.poses[index_of(robot)].position;
   const binding::WorldView& view = binding_.view();
   for (const binding::Disc& disc : view.discs()) {
     if (geom::distance(disc.center, here) <= reach + disc.radius) passage_.add(disc);
@@ -36,16 +36,16 @@ void Fleet::look_for_passage(const FleetRobot& robot, double reach) {
     if (wall.is_solid && geom::distance(nearest_point(wall.segment, here), here) <= reach)
       passage_.add(wall.segment);
   }
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const FleetRobot& other = robots_[i];
+  for (std::size_t i = 0; i < now_.robots.size(); ++i) {
+    const FleetRobot& other = now_.robots[i];
     if (other.life == RobotLife::kNotStarted || &other == &robot) continue;
     const double radius = other.capabilities.radius;
-    if (geom::distance(poses_[i].position, here) <= reach + radius)
-      passage_.add(binding::Disc{poses_[i].position, radius});
+    if (geom::distance(now_.poses[i].position, here) <= reach + radius)
+      passage_.add(binding::Disc{now_.poses[i].position, radius});
   }
   constexpr double kMargin = binding::kAreaMargin;
   const geom::Point low{kMargin, kMargin};
-  const geom::Point high{area_.width - kMargin, area_.height - kMargin};
+  const geom::Point high{now_.area.width - kMargin, now_.area.height - kMargin};
   const geom::Point start = robot.start.position;
   const bool is_held = start.x >= low.x && start.y >= low.y && start.x <= high.x && start.y <= high.y;
   if (is_held) passage_.keep_within(low, high);
@@ -59,15 +59,15 @@ Situation Fleet::situation(const FleetRobot& robot) const {
   out.cruise_speed = robot.program->number("base_velocity").value_or(kCruiseSpeed);
   if (robot.life == RobotLife::kNotStarted) return out;
   const binding::BodyState body = binding_.view().body(robot.body);
-  out.motion = {poses_[index_of(robot)], {body.velocity, body.speed, body.turn_rate}};
+  out.motion = {now_.poses[index_of(robot)], {body.velocity, body.speed, body.turn_rate}};
   out.home = robot.start.position;
-  if (index_of(robot) >= seen_.size() || robot.runner == nullptr) return out;
-  const Seen& seen = seen_[index_of(robot)];
+  if (index_of(robot) >= now_.seen.size() || robot.runner == nullptr) return out;
+  const SeenByFailsafes& seen = now_.seen[index_of(robot)];
   out.is_in_contact = seen.touches;
   out.silence = robot.runner->silence(robot.member);
   out.percept_age = robot.runner->percept_age(robot.member);
   out.lacks_operator = robot.is_teleoperated && !robot.is_stick_held;
-  out.order = robot.group == FleetRobot::kNoGroup ? 0 : groups_[robot.group].order.sequence;
+  out.order = robot.group == FleetRobot::kNoGroup ? 0 : now_.groups[robot.group].order.sequence;
   out.is_steered = robot.joystick.magnitude > 0.0;
   out.obstacles = seen.obstacles;
   out.others = seen.others;
@@ -76,32 +76,33 @@ Situation Fleet::situation(const FleetRobot& robot) const {
 
 Situation Fleet::situation_of(const FleetRobot& robot, double dt) {
   Situation out = situation(robot);
-  look_for_passage(robot, failsafes_.passage_reach(out, robot.action, dt));
+  look_for_passage(robot, now_.failsafes->passage_reach(out, robot.action, dt));
   out.passage = &passage_;
   return out;
 }
 
 std::string Fleet::failsafe(const FleetRobot& robot) const {
   const std::size_t row = robot.failsafe.active;
-  return row < failsafes_.rows().size() ? mission::words_of(failsafes_.rows()[row]) : "";
+  return row < now_.failsafes->rows().size() ? mission::words_of(now_.failsafes->rows()[row]) : "";
 }
 
 // A row that acts is told of whatever has become of the robot.
 std::vector<RowStanding> Fleet::standings(const FleetRobot& robot, double dt) const {
   using State = RowStanding::State;
   std::vector<RowStanding> out;
-  if (robot.failsafes == 0) return {failsafes_.rows().size(), RowStanding{}};
+  if (robot.failsafes == 0) return {now_.failsafes->rows().size(), RowStanding{}};
   const Situation now = situation(robot);
   const bool is_guarded = robot.life == RobotLife::kRunning ||
-                          (robot.life == RobotLife::kFaulted && failsafes_.drives(robot.failsafe));
+                          (robot.life == RobotLife::kFaulted && now_.failsafes->drives(robot.failsafe));
   const bool is_in_real_time = robot.runner != nullptr && robot.runner->punctuality() != nullptr;
   const auto may_come = [&](mission::FailsafeWatch watch) {
     return watch == mission::FailsafeWatch::kRunning ||
            (watch == mission::FailsafeWatch::kRealTime ? is_in_real_time : robot.is_teleoperated);
   };
-  for (std::size_t i = 0; i < failsafes_.rows().size(); ++i) {
-    RowStanding& row = out.emplace_back(failsafes_.standing(i, now, robot.action, dt, robot.failsafe));
-    const bool is_looked_at = is_guarded && may_come(mission::info(failsafes_.rows()[i].condition).watch);
+  for (std::size_t i = 0; i < now_.failsafes->rows().size(); ++i) {
+    RowStanding& row = out.emplace_back(now_.failsafes->standing(i, now, robot.action, dt, robot.failsafe));
+    const bool is_looked_at =
+        is_guarded && may_come(mission::info(now_.failsafes->rows()[i].condition).watch);
     if (!is_looked_at && row.state != State::kOthers && row.state != State::kActive)
       row = {.state = State::kOff};
   }
@@ -111,10 +112,10 @@ std::vector<RowStanding> Fleet::standings(const FleetRobot& robot, double dt) co
 bool Fleet::guard(FleetRobot& robot, double dt) {
   const std::size_t before = robot.failsafe.active;
   const Failsafes::Outcome outcome =
-      failsafes_.guard(situation_of(robot, dt), dt, robot.failsafe, robot.action);
-  const auto words = [&](std::size_t row) { return mission::words_of(failsafes_.rows()[row]); };
+      now_.failsafes->guard(situation_of(robot, dt), dt, robot.failsafe, robot.action);
+  const auto words = [&](std::size_t row) { return mission::words_of(now_.failsafes->rows()[row]); };
   const auto call = [&](std::string text) {
-    calls_.push_back({robot.id, RobotCall::Kind::kFailsafe, std::move(text)});
+    now_.calls.push_back({robot.id, RobotCall::Kind::kFailsafe, std::move(text)});
   };
   if (outcome.outside)
     call(fmt::format("`{}` lets it in first: it begins outside, and may only come nearer",
@@ -123,7 +124,7 @@ bool Fleet::guard(FleetRobot& robot, double dt) {
   if (!outcome.triggered) return true;
   call(fmt::format("`{}` acts{}", words(*outcome.triggered),
                    outcome.gave_way ? fmt::format(", before `{}`", words(*outcome.gave_way)) : ""));
-  if (failsafes_.rows()[*outcome.triggered].action != mission::FailsafeAction::kStop) return true;
+  if (now_.failsafes->rows()[*outcome.triggered].action != mission::FailsafeAction::kStop) return true;
   stop(robot.id);
   return false;
 }
@@ -132,7 +133,7 @@ bool Fleet::guard(FleetRobot& robot, double dt) {
 void Fleet::go_on_by_failsafe(FleetRobot& robot, double dt) {
   robot.action = {};
   if (!robot.ailment.empty()) return;
-  const percept::Needs needs = failsafes_.needs(robot.failsafes, robot.failsafe);
+  const percept::Needs needs = now_.failsafes->needs(robot.failsafes, robot.failsafe);
   percept::Percepts percepts;
   const binding::Sensing sensing = {robot.body, &needs, &percepts};
   binding_.percepts({&sensing, 1}, 0);

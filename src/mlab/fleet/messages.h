@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -32,6 +33,11 @@ class Messages {
   std::span<const percept::SharedPlace> places() const { return places_; }
   /// Of that team, by object, ascending.
   std::span<const percept::Claim> claims(std::uint32_t team) const;
+
+  /// That they take up beside this.
+  std::size_t bytes() const {
+    return places_.size() * sizeof places_[0] + claims_.size() * (sizeof claims_[0] + sizeof claim_teams_[0]);
+  }
 
  private:
   struct Letter {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -58,6 +59,7 @@ struct Answer {
 /// ends what its own robots do, and nothing else.
 struct Typed {
   std::vector<Command> commands;
+  std::string line = {};  ///< the same in the mission's language
 };
 /// The plan was edited; the step that runs goes on if its label is still there.
 struct Edited {

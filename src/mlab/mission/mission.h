@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -194,6 +195,10 @@ struct Mission {
   std::vector<Print> prints;        ///< of the preamble: to be printed once when the mission is loaded
   std::vector<Step> steps;
   text::SourcePtr source;
+  std::string folder;                  ///< where names of files in it begin
+  std::vector<text::SourcePtr> texts;  ///< what else was read for it: overlays, and what these name
+  std::vector<std::pair<std::string, std::string>> set;  ///< names and values in place of what its text says
+  std::vector<std::string> typed;                        ///< lines typed since that changed it, in order
   bool has_obstacles_by_seed = false;  ///< CREATE-OBSTACLES without SET SEED: others for another seed
 };
 

@@ -46,6 +46,7 @@ struct EnvironmentEvent {
 /// In file order, which is the order of events at the same moment.
 struct EnvironmentChanges {
   std::vector<EnvironmentEvent> events;
+  text::SourcePtr source = nullptr;  ///< what it was read from
 };
 
 /// How often an event has happened when `time` seconds have passed. An event is due where this is more than

@@ -132,6 +132,7 @@ struct Joystick {
   double magnitude = 0.0;       ///< 0: nobody steers
   bool is_robot_frame = false;  ///< up is ahead; else up is north
   bool complete = false;        ///< End Teleoperation was pressed
+  friend bool operator==(const Joystick&, const Joystick&) = default;
 };
 
 /// Everything that a robot may know in one cycle. Lists are views into a buffer of the cycle, nearest first,

@@ -26,29 +26,34 @@ constexpr const char* kMayProceed = "CONSOLE->ROBOT PROCEED MISSION";
 
 MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
                        std::unique_ptr<binding::Binding> binding)
-    : settings_(std::move(settings)),
-      state_(mission::initial_state(crew->mission, settings_.executive)),
-      binding_(std::move(binding)) {
-  const mission::Mission& plan = *state_.mission;
-  dt_ = plan.options.cycle_duration.value_or(dt_);
-  metrics_.resize(plan.units.size());
+    : settings_(std::move(settings)), binding_(std::move(binding)) {
+  now_.executive = mission::initial_state(crew->mission, settings_.executive);
+  now_.stands_still_for_operator = settings_.stands_still_for_operator;
+  const mission::Mission& plan = *now_.executive.mission;
+  now_.dt = plan.options.cycle_duration.value_or(now_.dt);
+  now_.metrics.resize(plan.units.size());
   fleet_ = std::make_unique<fleet::Fleet>(
       plan, crew->programs, crew->bodies, *binding_, settings_.seed,
-      settings_.robots_elsewhere ? settings_.robots_elsewhere(settings_.seed, dt_) : nullptr);
-  crews_.push_back(std::move(crew));
+      settings_.robots_elsewhere ? settings_.robots_elsewhere(settings_.seed, now_.dt) : nullptr);
+  now_.crews.push_back(std::move(crew));
 }
 
 void MissionRun::post(const mission::Event& event) {
+  note(input::Posted{event});
+  carry_out(event);
+}
+
+void MissionRun::carry_out(const mission::Event& event) {
   if (const auto* answer = std::get_if<mission::event::Answer>(&event))
-    answers_.push_back({cycle_, answer->question, answer->proceed});
-  mission::Advance advanced = mission::advance(std::move(state_), event);
-  state_ = std::move(advanced.state);
-  moved_at_start_ = 0;
+    now_.answers.push_back({now_.cycle, answer->question, answer->proceed});
+  mission::Advance advanced = mission::advance(std::move(now_.executive), event);
+  now_.executive = std::move(advanced.state);
+  now_.moved_at_start = 0;
   for (const mission::Effect& effect : advanced.effects) apply(effect);
-  if (moved_at_start_ > kMostMoved) {
+  if (now_.moved_at_start > kMostMoved) {
     tell(Tell::Kind::kWarning,
          fmt::format("{} more robots start at the nearest free place, since theirs is taken",
-                     moved_at_start_ - kMostMoved));
+                     now_.moved_at_start - kMostMoved));
   }
 }
 
@@ -61,9 +66,9 @@ void MissionRun::apply(const mission::Effect& effect) {
   if (const auto* set = std::get_if<mission::effect::Set>(&effect)) {
     const auto* number = std::get_if<mission::SetNumber>(&set->option);
     if (number != nullptr && number->option == mission::NumberOption::kCycleDuration) {
-      start_of_duration_ = time();
-      first_of_duration_ = cycle_;
-      dt_ = number->value;
+      now_.start_of_duration = time();
+      now_.first_of_duration = now_.cycle;
+      now_.dt = number->value;
     }
   }
   if (observer_) observer_(effect);
@@ -75,7 +80,7 @@ void MissionRun::start_robot(const mission::effect::Start& start) {
   const std::expected<binding::Placement, std::string> placement = fleet_->start(start.robot, start.pose);
   if (!placement) {
     tell(Tell::Kind::kWarning, fmt::format("robot {} {}", start.robot.value, placement.error()));
-  } else if (placement->moved && ++moved_at_start_ <= kMostMoved) {
+  } else if (placement->moved && ++now_.moved_at_start <= kMostMoved) {
     const geom::Point to = placement->pose.position;
     tell(Tell::Kind::kWarning,
          fmt::format("robot {} starts at ({:.2f}, {:.2f}): its place ({:.2f}, {:.2f}) is taken",
@@ -120,49 +125,46 @@ void MissionRun::tell(Tell::Kind kind, std::string text) {
 }
 
 bool MissionRun::is_over() const {
-  return state_.mode == mission::State::Mode::kQuit ||
-         (state_.mode == mission::State::Mode::kIdle && state_.outcome != mission::Outcome::kPending);
+  return now_.executive.mode == mission::State::Mode::kQuit ||
+         (now_.executive.mode == mission::State::Mode::kIdle &&
+          now_.executive.outcome != mission::Outcome::kPending);
 }
 
 std::size_t MissionRun::steps_done() const {
-  const std::size_t all = state_.mission->steps.size();
-  if (state_.mode == mission::State::Mode::kRunning) return state_.step;
-  if (state_.outcome == mission::Outcome::kDone) return all;
+  const std::size_t all = now_.executive.mission->steps.size();
+  if (now_.executive.mode == mission::State::Mode::kRunning) return now_.executive.step;
+  if (now_.executive.outcome == mission::Outcome::kDone) return all;
   std::vector<bool> is_done(all);
-  for (const mission::StepRecord& step : state_.steps) {
+  for (const mission::StepRecord& step : now_.executive.steps) {
     if (step.step < all) is_done[step.step] = step.outcome == mission::Outcome::kDone;
   }
   return static_cast<std::size_t>(std::ranges::count(is_done, true));
 }
 
-std::optional<std::string> MissionRun::set_parameter(base::RobotId robot, std::string_view port,
-                                                     const std::string& value) {
-  const fleet::FleetRobot* found = fleet_->find(robot);
-  const flow::Program* program =
-      found == nullptr || found->runner == nullptr ? nullptr : found->workings().program;
-  const flow::Port* parameter = program == nullptr ? nullptr : program->find(port);
-  if (parameter == nullptr || parameter->type->kind != flow::TypeKind::kPoint)
-    return fleet_->set_parameter(robot, port, value);
-  return fleet_->set_parameter(
-      robot, port, robot::in_coordinates(*parameter, value, MissionPlaces(*crews_.back()->mission)));
+void MissionRun::look() {
+  if (now_.cycle != 0 && now_.executive.paused) return;
+  // Robots on other machines may be lost while no time passes; all others stand as they stood.
+  if (now_.has_looked && !settings_.robots_elsewhere) return;
+  now_.has_looked = true;
+  report_.time = time();
+  fleet_->report(report_.robots);
+  carry_out(report_);
 }
 
 MissionRun::Progress MissionRun::step() {
-  if (is_stopped_) return brake();
-  report_.time = time();
-  if (cycle_ == 0 || !state_.paused) {
-    fleet_->report(report_.robots);
-    post(report_);
-  }
-  if (is_over() && !(settings_.goes_on_when_done && state_.outcome == mission::Outcome::kDone))
+  if (now_.is_stopped) return brake();
+  look();
+  if (is_over() && !(settings_.goes_on_when_done && now_.executive.outcome == mission::Outcome::kDone))
     return Progress::kOver;
-  if (state_.paused || (settings_.stands_still_for_operator && mission::awaits_only_operator(state_)))
+  if (now_.executive.paused ||
+      (now_.stands_still_for_operator && mission::awaits_only_operator(now_.executive)))
     return Progress::kWaits;
-  ++cycle_;
+  ++now_.cycle;
+  now_.has_looked = false;
   change_environment();
   note_teleoperated();
-  fleet_->step(dt_);
-  if (!forced_.empty()) tell_not_forced();
+  fleet_->step(now_.dt);
+  if (!now_.forced.empty()) tell_not_forced();
   tell_faults();
   answer_calls();
   measure();
@@ -175,13 +177,14 @@ void MissionRun::answer_calls() {
     const std::uint32_t id = call.robot.value;
     switch (call.kind) {
       case fleet::RobotCall::Kind::kFailsafe:
-        if (failsafes_.size() < kMostFailsafeRecords) failsafes_.push_back({time(), call.robot, call.text});
+        if (now_.failsafes.size() < kMostFailsafeRecords)
+          now_.failsafes.push_back({time(), call.robot, call.text});
         [[fallthrough]];
       case fleet::RobotCall::Kind::kAlert:
         tell(Tell::Kind::kWarning, fmt::format("robot {}: {}", id, call.text));
         break;
       case fleet::RobotCall::Kind::kProceed:
-        post(mission::event::RobotAsks{call.robot});
+        carry_out(mission::event::RobotAsks{call.robot});
         break;
       case fleet::RobotCall::Kind::kHalt:
         fleet_->stop(call.robot);
@@ -193,7 +196,7 @@ void MissionRun::answer_calls() {
         break;
     }
   }
-  if (is_to_end) post(mission::event::Abort{});
+  if (is_to_end) carry_out(mission::event::Abort{});
 }
 
 void MissionRun::tell_faults() {
@@ -209,10 +212,11 @@ void MissionRun::tell_faults() {
 }
 
 MissionRun::Progress MissionRun::brake() {
-  if (has_braked_ && fleet_->bodies().moving == 0) return Progress::kWaits;
-  has_braked_ = true;
-  ++cycle_;
-  fleet_->brake(dt_);
+  if (now_.has_braked && fleet_->bodies().moving == 0) return Progress::kWaits;
+  now_.has_braked = true;
+  now_.has_looked = false;
+  ++now_.cycle;
+  fleet_->brake(now_.dt);
   return Progress::kStepped;
 }
 
@@ -220,7 +224,7 @@ MissionRun::Progress MissionRun::brake() {
 void MissionRun::note_teleoperated() {
   if (!fleet_->failsafes().watches(mission::FailsafeWatch::kTeleoperated)) return;
   teleoperated_.clear();
-  for (const mission::Run& command : state_.runs) {
+  for (const mission::Run& command : now_.executive.runs) {
     if (command.phase == mission::Run::Phase::kTeleoperation)
       teleoperated_.insert(teleoperated_.end(), command.needed.begin(), command.needed.end());
   }
@@ -231,7 +235,7 @@ void MissionRun::note_teleoperated() {
 void MissionRun::change_environment() {
   for (const overlay::EnvironmentEvent& event : settings_.environment.events) {
     const std::uint64_t due = overlay::executions(event, time());
-    for (std::uint64_t n = overlay::executions(event, time() - dt_); n < due; ++n) happen(event, n);
+    for (std::uint64_t n = overlay::executions(event, time() - now_.dt); n < due; ++n) happen(event, n);
   }
 }
 
@@ -245,7 +249,7 @@ void MissionRun::happen(const overlay::EnvironmentEvent& event, std::uint64_t ex
       bodies.push_back({fleet_->pose(robot).position, robot.capabilities.radius, 0.0, {}});
   }
   if (!overlay::apply(event, execution, settings_.seed, bodies, after)) {
-    if (!std::exchange(is_full_, true))
+    if (!std::exchange(now_.is_full, true))
       tell(Tell::Kind::kWarning, "the environment has no room for as many obstacles as its file wants");
   }
   const auto less = [](const overlay::ObstacleDisc& a, const overlay::ObstacleDisc& b) {
@@ -266,10 +270,10 @@ void MissionRun::happen(const overlay::EnvironmentEvent& event, std::uint64_t ex
 
 void MissionRun::note_deliveries() {
   for (const binding::Object& object : world().objects()) {
-    if (object.id.value >= carriers_.size()) carriers_.resize(object.id.value + 1);
-    base::RobotId& carrier = carriers_[object.id.value];
+    if (object.id.value >= now_.carriers.size()) now_.carriers.resize(object.id.value + 1);
+    base::RobotId& carrier = now_.carriers[object.id.value];
     if (object.basket.value != 0 && carrier.value != 0)
-      deliveries_.push_back({time(), carrier, object.id, object.basket});
+      now_.deliveries.push_back({time(), carrier, object.id, object.basket});
     carrier = object.carrier;
   }
 }
@@ -278,13 +282,14 @@ void MissionRun::measure() {
   note_deliveries();
   for (const fleet::FleetRobot& robot : fleet_->robots()) {
     if (robot.life != fleet::RobotLife::kRunning) continue;
-    ++robot_cycles_;
+    ++now_.robot_cycles;
     const fleet::Group* group = fleet_->group(robot);
     if (group == nullptr || !group->command || group->order.formation == percept::Formation::kNone ||
         group->members.size() < 2 || group->command->unit == mission::kNoUnit)
       continue;
-    if (group->command->unit >= metrics_.size()) metrics_.resize(state_.mission->units.size());
-    UnitMetrics& metrics = metrics_[group->command->unit];
+    if (group->command->unit >= now_.metrics.size())
+      now_.metrics.resize(now_.executive.mission->units.size());
+    UnitMetrics& metrics = now_.metrics[group->command->unit];
     const double error = fleet_->station_error(robot);
     metrics.error_sum += error;
     metrics.max_error = std::max(metrics.max_error, error);
@@ -294,9 +299,9 @@ void MissionRun::measure() {
 }
 
 std::vector<base::RobotId> MissionRun::commanded(std::uint32_t command) const {
-  const std::string& whom = state_.commands[command].unit;
-  const auto unit = std::ranges::find(state_.mission->units, whom, &mission::Unit::name);
-  if (!whom.empty() && unit != state_.mission->units.end()) return unit->members;
+  const std::string& whom = now_.executive.commands[command].unit;
+  const auto unit = std::ranges::find(now_.executive.mission->units, whom, &mission::Unit::name);
+  if (!whom.empty() && unit != now_.executive.mission->units.end()) return unit->members;
   for (const fleet::FleetRobot& robot : fleet_->robots()) {
     const fleet::Group* group = fleet_->group(robot);
     if (group != nullptr && group->command && group->command->unit == mission::kNoUnit &&
@@ -307,7 +312,8 @@ std::vector<base::RobotId> MissionRun::commanded(std::uint32_t command) const {
 }
 
 void MissionRun::explain_failures(std::uint32_t command) {
-  if (command >= state_.commands.size() || state_.commands[command].outcome != mission::Outcome::kFailed)
+  if (command >= now_.executive.commands.size() ||
+      now_.executive.commands[command].outcome != mission::Outcome::kFailed)
     return;
   constexpr int kMostRobots = 8;
   int said = 0;

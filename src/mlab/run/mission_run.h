@@ -16,7 +16,12 @@
 #include "mlab/mission/mission.h"
 #include "mlab/overlay/environment_change.h"
 #include "mlab/robot/program/robot_program.h"
+#include "mlab/run/checkpoint.h"
 #include "mlab/run/crew.h"
+#include "mlab/run/input.h"
+#include "mlab/run/intervention.h"
+#include "mlab/run/records.h"
+#include "mlab/run/run_state.h"
 #include "mlab/run/stop_line.h"
 #include "mlab/text/diagnostic.h"
 
@@ -40,67 +45,6 @@ struct RunSettings {
       false;  ///< robots elsewhere are not waited for: time passes as on the clock, no faster
 };
 
-/// How well a unit kept its formations.
-struct UnitMetrics {
-  double error_sum = 0.0;              ///< over robots and cycles [m]
-  double max_error = 0.0;              ///< [m]
-  std::uint64_t samples = 0;           ///< robot-cycles in which there was a formation to keep
-  std::uint64_t out_of_formation = 0;  ///< of these, farther from the station than the robot's formation_slop
-
-  double mean_error() const { return samples == 0 ? 0.0 : error_sum / static_cast<double>(samples); }
-  double out_share() const {
-    return samples == 0 ? 0.0 : static_cast<double>(out_of_formation) / static_cast<double>(samples);
-  }
-};
-
-/// An operator's answer, with the cycle in which it was given.
-struct AnswerRecord {
-  std::uint64_t cycle = 0;
-  std::uint32_t question = 0;
-  bool proceed = false;
-};
-
-/// What a person made a robot, or its program, do.
-struct InterventionRecord {
-  enum class Kind : std::uint8_t { kForce, kHold, kRelease, kReplace };
-  std::uint64_t cycle = 0;  ///< that had run; it counts from the next one on
-  base::RobotId robot;
-  Kind kind = Kind::kForce;
-  std::string path;   ///< of the sequence, or of the port; empty: all that were held
-  std::string value;  ///< the state, or at what it is held
-};
-std::string_view name(InterventionRecord::Kind kind);
-
-/// Robots that go on with other programs.
-struct Takeover {
-  /// Of all robots whose program has changed this begins anew, though it was there before.
-  struct Restart {
-    std::string path;
-    std::string why;
-    std::vector<base::RobotId> robots;
-  };
-  std::uint64_t cycle = 0;  ///< that had run
-  std::vector<base::RobotId> robots;
-  std::vector<Restart> restarts;
-};
-/// In words: `robots 1 to 3 took over a change; ...`.
-std::string text_of(const Takeover& takeover);
-
-/// An object that came into a basket.
-struct Delivery {
-  double time = 0.0;  ///< [s]
-  base::RobotId robot;
-  base::ObjectId object;
-  base::ObjectId basket;
-};
-
-/// What became of a robot's failsafes, as the log says it.
-struct FailsafeRecord {
-  double time = 0.0;  ///< [s]
-  base::RobotId robot;
-  std::string what;  ///< `FAILSAFE OUTSIDE Field HOLD` acts
-};
-
 /// A robot that has not been started, and where START will put it.
 struct PlannedStart {
   base::RobotId robot;
@@ -119,6 +63,15 @@ class MissionRun {
   /// Called for everything that the executive wants told, asked, shown or set, when it happens.
   using Observer = std::function<void(const mission::Effect&)>;
   void set_observer(Observer observer) { observer_ = std::move(observer); }
+  /// Called for all that comes in from outside, before it has any effect.
+  using InputObserver = std::function<void(const Moment&, const Input&)>;
+  void set_input_observer(InputObserver observer) { input_observer_ = std::move(observer); }
+  /// Takes what came into another run of this mission. What was refused there is refused here.
+  void take(const Input& input);
+  /// Where the run stands.
+  Moment moment() const { return {now_.cycle, now_.has_looked}; }
+  /// The executive is told how the robots stand, as `step` does before a cycle; at most once in a moment.
+  void look();
 
   /// What the operator does: Execute, Pause, Answer, a typed command, ...
   void post(const mission::Event& event);
@@ -145,27 +98,22 @@ class MissionRun {
 
   /// All robots stand as soon as their bodies can, from the next cycle on. Mission and programs hold: nothing
   /// that happens in the meantime moves a robot. Once all stand, no time passes until the stop is released.
-  void set_emergency_stop(bool stopped) {
-    if (stopped && !is_stopped_) has_braked_ = false;
-    is_stopped_ = stopped;
-  }
-  bool is_stopped() const { return is_stopped_; }
+  void set_emergency_stop(bool stopped);
+  bool is_stopped() const { return now_.is_stopped; }
   /// How many robots are in the world, and how many of these the stop has brought to stand: none before the
   /// first cycle in which they were braked.
   std::size_t robots_in_world() const { return fleet_->bodies().all; }
   std::size_t robots_stopped() const {
     const fleet::Fleet::Bodies bodies = fleet_->bodies();
-    return is_stopped_ && has_braked_ ? bodies.all - bodies.moving : 0;
+    return now_.is_stopped && now_.has_braked ? bodies.all - bodies.moving : 0;
   }
 
   /// As fleet::Fleet::set_meanwhile. What it calls must leave the run as it is.
   void set_meanwhile(robot::Meanwhile meanwhile) { fleet_->set_meanwhile(std::move(meanwhile)); }
 
   /// The operator's stick for one robot.
-  void set_joystick(base::RobotId robot, const percept::Joystick& joystick) {
-    fleet_->set_joystick(robot, joystick);
-  }
-  void let_go_of_stick(base::RobotId robot) { fleet_->let_go_of_stick(robot); }
+  void set_joystick(base::RobotId robot, const percept::Joystick& joystick);
+  void let_go_of_stick(base::RobotId robot);
   /// Sets a parameter or constant of one robot's program, from the next cycle on; it outlives a new START.
   /// @param value  as a person writes it, in the port's edge_unit; a Point may be the name of a place
   /// @errors  a sentence that says what is wrong
@@ -187,9 +135,17 @@ class MissionRun {
   std::optional<std::string> replace_robot(base::RobotId robot);
   bool is_in_real_time() const { return settings_.is_in_real_time; }
   /// As RunSettings::stands_still_for_operator.
-  void set_stands_still_for_operator(bool stands_still) {
-    settings_.stands_still_for_operator = stands_still;
-  }
+  void set_stands_still_for_operator(bool stands_still);
+  bool stands_still_for_operator() const { return now_.stands_still_for_operator; }
+
+  /// How the run stands, between two calls: all that decides how it goes on.
+  /// @errors  a sentence: robots or bodies are where nobody can put them back
+  std::expected<Checkpoint, std::string> save() const;
+  /// Goes on from there, back or ahead, and takes whatever comes in as the run did from which it is. Nobody
+  /// is told of it: neither observer is called.
+  /// @param checkpoint  of this run, or of another one of the same crew and settings
+  /// @errors  a sentence: it is of a run of another kind; nothing has changed
+  std::optional<std::string> restore(const Checkpoint& checkpoint);
 
   /// Where the plan's first START of each robot will put it if the world stays as it is: the next free place
   /// included. In the order in which they start; without those that were started, that no START names, or for
@@ -199,29 +155,32 @@ class MissionRun {
   bool is_over() const;
   /// Simulated [s]. Counted in cycles, so that it does not drift; SET CYCLE-DURATION changes the length of
   /// later ones.
-  double time() const { return start_of_duration_ + static_cast<double>(cycle_ - first_of_duration_) * dt_; }
-  std::uint64_t cycle() const { return cycle_; }
-  double cycle_duration() const { return dt_; }  ///< [s]
+  double time() const { return now_.time(); }
+  std::uint64_t cycle() const { return now_.cycle; }
+  double cycle_duration() const { return now_.dt; }  ///< [s]
   std::uint64_t seed() const { return settings_.seed; }
-  const mission::Mission& mission() const { return *state_.mission; }
-  const mission::State& state() const { return state_; }
+  const RunSettings& settings() const { return settings_; }
+  /// What its robots are made of, as of the last edit.
+  const std::shared_ptr<const Crew>& crew() const { return now_.crews.back(); }
+  const mission::Mission& mission() const { return *now_.executive.mission; }
+  const mission::State& state() const { return now_.executive; }
   const fleet::Fleet& fleet() const { return *fleet_; }
   /// The world, for who looks on.
   const binding::WorldView& world() const { return binding_->view(); }
   /// What the operator answered so far.
-  const std::vector<AnswerRecord>& answers() const { return answers_; }
+  const std::vector<AnswerRecord>& answers() const { return now_.answers; }
   /// What people made robots' programs do so far.
-  const std::vector<InterventionRecord>& interventions() const { return interventions_; }
-  const std::vector<Takeover>& takeovers() const { return takeovers_; }
+  const std::vector<InterventionRecord>& interventions() const { return now_.interventions; }
+  const std::vector<Takeover>& takeovers() const { return now_.takeovers; }
   /// By unit of the mission.
-  const std::vector<UnitMetrics>& unit_metrics() const { return metrics_; }
+  const std::vector<UnitMetrics>& unit_metrics() const { return now_.metrics; }
   /// What robots brought into baskets so far, in the order of time, then of objects.
-  const std::vector<Delivery>& deliveries() const { return deliveries_; }
+  const std::vector<Delivery>& deliveries() const { return now_.deliveries; }
   /// The first kMostFailsafeRecords of them.
-  const std::vector<FailsafeRecord>& failsafes() const { return failsafes_; }
+  const std::vector<FailsafeRecord>& failsafes() const { return now_.failsafes; }
   static constexpr std::size_t kMostFailsafeRecords = 100'000;
   /// Cycles run by all robots together.
-  std::uint64_t robot_cycles() const { return robot_cycles_; }
+  std::uint64_t robot_cycles() const { return now_.robot_cycles; }
   /// How many steps of the mission are done, and how many there are.
   std::size_t steps_done() const;
 
@@ -231,6 +190,9 @@ class MissionRun {
 
  private:
   Progress brake();
+  /// Something comes in.
+  void note(const Input& input);
+  void carry_out(const mission::Event& event);
   void change_world(const overlay::Overlay& before, const overlay::Overlay& after);
   void tell_moved(const std::vector<base::RobotId>& moved, std::string_view by);
   void rename_metrics(const mission::Mission& before, const mission::Mission& after);
@@ -251,30 +213,13 @@ class MissionRun {
   void explain_failures(std::uint32_t command);
 
   RunSettings settings_;
-  mission::State state_;
-  std::vector<std::shared_ptr<const Crew>> crews_;  // robots point into them; the last one is in force
+  RunState now_;
   std::unique_ptr<binding::Binding> binding_;
   std::unique_ptr<fleet::Fleet> fleet_;
   Observer observer_;
-  double dt_ = 0.1;                      // cycle duration [s],
-  double start_of_duration_ = 0.0;       // in force since this time [s]
-  std::uint64_t first_of_duration_ = 0;  // and this cycle
-  std::uint64_t cycle_ = 0;
-  std::uint64_t robot_cycles_ = 0;
-  std::size_t moved_at_start_ = 0;  // by the effects in hand
-  bool is_full_ = false;            // the environment had no room once, which was told
-  std::vector<UnitMetrics> metrics_;
-  std::vector<AnswerRecord> answers_;
-  std::vector<InterventionRecord> interventions_;
-  std::vector<Takeover> takeovers_;
-  std::vector<base::RobotId> forced_;  // in the coming cycle, ascending
-  std::vector<Delivery> deliveries_;
-  std::vector<FailsafeRecord> failsafes_;
-  std::vector<base::RobotId> teleoperated_;
-  std::vector<base::RobotId> carriers_;  // by object id: who carries it; none as well once it was delivered
-  bool is_stopped_ = false;
-  bool has_braked_ = false;  // for at least one cycle of this stop
-  mission::event::Cycle report_;
+  InputObserver input_observer_;
+  std::vector<base::RobotId> teleoperated_;  // filled anew in each cycle
+  mission::event::Cycle report_;             // filled anew for each
 };
 
 }  // namespace mlab::run

@@ -8,13 +8,15 @@
 #include "mlab/run/mission_run.h"
 
 namespace mlab::run {
+
 void MissionRun::edit(std::shared_ptr<const Crew> crew) {
-  const std::shared_ptr<const mission::Mission> old = state_.mission;
-  crews_.push_back(std::move(crew));
-  const Crew& next = *crews_.back();
+  note(input::Exchanged{crew, false});
+  const std::shared_ptr<const mission::Mission> old = now_.executive.mission;
+  now_.crews.push_back(std::move(crew));
+  const Crew& next = *now_.crews.back();
   fleet_->edit(*next.mission, next.programs, next.bodies);
   rename_metrics(*old, *next.mission);
-  post(mission::event::Edited{next.mission});
+  carry_out(mission::event::Edited{next.mission});
   const std::optional<double> duration = next.mission->options.cycle_duration;
   if (duration && duration != old->options.cycle_duration)
     apply(mission::effect::Set{mission::SetNumber{mission::NumberOption::kCycleDuration, *duration}});
@@ -76,22 +78,23 @@ std::string text_of(const Takeover& takeover) {
 }
 
 std::expected<Takeover, std::string> MissionRun::take_over(std::shared_ptr<const Crew> crew) {
+  note(input::Exchanged{crew, true});
   if (std::string why = why_not(*fleet_, *crew); !why.empty()) return std::unexpected(std::move(why));
-  const std::shared_ptr<const mission::Mission> old = state_.mission;
-  crews_.push_back(std::move(crew));
-  const Crew& next = *crews_.back();
+  const std::shared_ptr<const mission::Mission> old = now_.executive.mission;
+  now_.crews.push_back(std::move(crew));
+  const Crew& next = *now_.crews.back();
   Takeover out;
-  out.cycle = cycle_;
+  out.cycle = now_.cycle;
   std::vector<std::pair<base::RobotId, flow::Restart>> restarts;
   out.robots = fleet_->take_over(*next.mission, next.programs, next.bodies, restarts);
   out.restarts = by_path(restarts);
   if (next.mission != old) {
     rename_metrics(*old, *next.mission);
-    post(mission::event::Edited{next.mission});
+    carry_out(mission::event::Edited{next.mission});
     change_world(old->overlay, next.mission->overlay);
   }
   drop_unused_crews();
-  takeovers_.push_back(out);
+  now_.takeovers.push_back(out);
   tell(mission::effect::Tell::Kind::kMessage, text_of(out));
   return out;
 }
@@ -100,7 +103,7 @@ void MissionRun::change_world(const overlay::Overlay& before_edit, const overlay
   const binding::MapChange change = binding_->change_map(before_edit, after_edit);
   tell_moved(change.moved_by_obstacles, "an obstacle");
   tell_moved(change.moved_by_walls, "a wall");
-  if (change.has_other_objects) carriers_.clear();
+  if (change.has_other_objects) now_.carriers.clear();
 }
 
 void MissionRun::tell_moved(const std::vector<base::RobotId>& moved, std::string_view by) {
@@ -113,18 +116,18 @@ void MissionRun::tell_moved(const std::vector<base::RobotId>& moved, std::string
 void MissionRun::rename_metrics(const mission::Mission& before_edit, const mission::Mission& after_edit) {
   std::vector<UnitMetrics> metrics(after_edit.units.size());
   for (std::size_t i = 0; i < after_edit.units.size(); ++i) {
-    for (std::size_t k = 0; k < std::min(metrics_.size(), before_edit.units.size()); ++k) {
+    for (std::size_t k = 0; k < std::min(now_.metrics.size(), before_edit.units.size()); ++k) {
       const bool same_unit = after_edit.units[i].name == before_edit.units[k].name &&
                              (!after_edit.units[i].name.empty() || i == k);
-      if (same_unit) metrics[i] = metrics_[k];
+      if (same_unit) metrics[i] = now_.metrics[k];
     }
   }
-  metrics_ = std::move(metrics);
+  now_.metrics = std::move(metrics);
 }
 
 void MissionRun::drop_unused_crews() {
-  const std::shared_ptr<const Crew> in_force = crews_.back();
-  std::erase_if(crews_, [&](const std::shared_ptr<const Crew>& crew) {
+  const std::shared_ptr<const Crew> in_force = now_.crews.back();
+  std::erase_if(now_.crews, [&](const std::shared_ptr<const Crew>& crew) {
     return crew != in_force && !fleet_->uses(crew->programs);
   });
 }

@@ -15,39 +15,43 @@ std::string_view name(InterventionRecord::Kind kind) {
 
 std::optional<std::string> MissionRun::force_state(base::RobotId robot, const std::string& sequence,
                                                    const std::string& state) {
+  note(input::Intervened{robot, InterventionRecord::Kind::kForce, sequence, state});
   if (auto problem = fleet_->force(robot, sequence, state)) return problem;
-  interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kForce, sequence, state});
-  const auto at = std::ranges::lower_bound(forced_, robot);
-  if (at == forced_.end() || *at != robot) forced_.insert(at, robot);
+  now_.interventions.push_back({now_.cycle, robot, InterventionRecord::Kind::kForce, sequence, state});
+  const auto at = std::ranges::lower_bound(now_.forced, robot);
+  if (at == now_.forced.end() || *at != robot) now_.forced.insert(at, robot);
   return std::nullopt;
 }
 
 std::optional<std::string> MissionRun::hold_value(base::RobotId robot, const std::string& port,
                                                   const std::string& value) {
+  note(input::Intervened{robot, InterventionRecord::Kind::kHold, port, value});
   if (auto problem = fleet_->hold(robot, port, value)) return problem;
-  interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kHold, port, value});
+  now_.interventions.push_back({now_.cycle, robot, InterventionRecord::Kind::kHold, port, value});
   return std::nullopt;
 }
 
 std::optional<std::string> MissionRun::release_value(base::RobotId robot, const std::string& port) {
+  note(input::Intervened{robot, InterventionRecord::Kind::kRelease, port, ""});
   const fleet::FleetRobot* const known = fleet_->find(robot);
   const flow::Interventions* const before = known == nullptr ? nullptr : known->workings().interventions;
   const bool holds_something = before != nullptr && !before->held().empty();
   if (auto problem = fleet_->release(robot, port)) return problem;
   if (!holds_something) return std::nullopt;
-  interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kRelease, port, ""});
+  now_.interventions.push_back({now_.cycle, robot, InterventionRecord::Kind::kRelease, port, ""});
   return std::nullopt;
 }
 
 std::optional<std::string> MissionRun::replace_robot(base::RobotId robot) {
+  note(input::Intervened{robot, InterventionRecord::Kind::kReplace, "", ""});
   if (auto problem = fleet_->replace(robot)) return problem;
-  interventions_.push_back({cycle_, robot, InterventionRecord::Kind::kReplace, "", ""});
+  now_.interventions.push_back({now_.cycle, robot, InterventionRecord::Kind::kReplace, "", ""});
   return std::nullopt;
 }
 
 // What the sequence is part of may have come to an end in the same cycle.
 void MissionRun::tell_not_forced() {
-  for (const base::RobotId id : std::exchange(forced_, {})) {
+  for (const base::RobotId id : std::exchange(now_.forced, {})) {
     const fleet::FleetRobot* const robot = fleet_->find(id);
     const robot::Workings with = robot != nullptr ? robot->workings() : robot::Workings{};
     if (!with || with.interventions == nullptr) continue;

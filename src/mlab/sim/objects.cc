@@ -23,6 +23,12 @@ Object* Objects::find(base::ObjectId id) {
   return found == list_.end() ? nullptr : &*found;
 }
 
+void Objects::forget_grid() {
+  grid_ = {};
+  visible_ = {};
+  is_stale_ = true;
+}
+
 void Objects::carry_out(const percept::Action& action, Bodies& bodies, std::uint32_t body) {
   const int count = std::min<int>(action.request_count, percept::Action::kMaxRequests);
   for (int i = 0; i < count; ++i) {

@@ -30,6 +30,8 @@ class Objects {
 
   /// Sorts those that can be seen into the grid; to be called before visit_visible.
   void refresh();
+  /// Until then it takes up no memory for them.
+  void forget_grid();
   /// Calls visit(index, object) for all visible objects with their centre in the box, and some others.
   template <class Visit>
   void visit_visible(const Box& box, Visit&& visit) const {

@@ -24,6 +24,14 @@ std::vector<Disc> difference(const std::vector<Disc>& from, const std::vector<Di
   return out;
 }
 
+class KeptSimulation final : public binding::Binding::Kept {
+ public:
+  explicit KeptSimulation(std::shared_ptr<const Simulator::State> kept) : state(std::move(kept)) {}
+  std::size_t bytes() const override { return Simulator::bytes(*state); }
+
+  const std::shared_ptr<const Simulator::State> state;
+};
+
 }  // namespace
 
 SimulatedBinding::SimulatedBinding(World world, SimulatorSettings settings)
@@ -56,6 +64,17 @@ void SimulatedBinding::poses(std::span<const BodyIndex> bodies, std::span<geom::
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i] != binding::kNoBody) out[i] = simulator_.pose(bodies[i]);
   }
+}
+
+std::expected<std::shared_ptr<const binding::Binding::Kept>, std::string> SimulatedBinding::save() const {
+  return std::make_shared<const KeptSimulation>(simulator_.snapshot());
+}
+
+bool SimulatedBinding::restore(const Kept& kept) {
+  const auto* const simulation = dynamic_cast<const KeptSimulation*>(&kept);
+  if (simulation == nullptr) return false;
+  simulator_.restore(*simulation->state);
+  return true;
 }
 
 std::vector<std::optional<geom::Pose>> SimulatedBinding::places_for(std::span<const BodySetup> setups) {

@@ -29,6 +29,9 @@ class SimulatedBinding final : public binding::Binding, private binding::WorldVi
   Workers& workers() const override { return simulator_.workers(); }
   const binding::WorldView& view() const override { return *this; }
 
+  std::expected<std::shared_ptr<const Kept>, std::string> save() const override;
+  bool restore(const Kept& kept) override;
+
   std::vector<std::optional<geom::Pose>> places_for(std::span<const BodySetup> setups) override;
   binding::MapChange change_map(const overlay::Overlay& before, const overlay::Overlay& after) override;
   std::vector<base::RobotId> change_obstacles(std::span<const Disc> gone,

@@ -25,6 +25,10 @@ using geom::Offset;
 using geom::Point;
 
 constexpr std::size_t kPiece = 256;
+/// That the properties of a body take up in all of its arrays.
+constexpr std::size_t kBytesOfBody = 5 * sizeof(double) + sizeof(Offset) + sizeof(binding::Momentum) +
+                                     sizeof(geom::Pose) + sizeof(Touched) + 6 * sizeof(std::uint32_t) +
+                                     sizeof(percept::ObjectClass) + 2 * sizeof(std::uint8_t);
 /// Nobody goes farther in one cycle [m].
 constexpr double kLongestStep = 1e6;
 /// Nothing is sensed farther away [m]: twice the way across the largest world.
@@ -99,6 +103,8 @@ class Simulator::State {
   Objects objects;
   Site site;
   std::shared_ptr<const Statics> statics;
+  Box area;                 ///< where the centres of held bodies may be
+  std::vector<Kind> kinds;  ///< of bodies
   double time = 0.0;
   std::uint64_t cycle = 0;
 };
@@ -107,12 +113,13 @@ struct Simulator::Parts {
   Parts(World world, SimulatorSettings chosen)
       : settings(chosen),
         workers(chosen.threads),
-        area{world.area_low.x + kAreaMargin, world.area_low.y + kAreaMargin, world.area_high.x - kAreaMargin,
-             world.area_high.y - kAreaMargin},
         state{{},
               Objects(std::move(world.objects)),
               Site(std::move(world.building)),
-              std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls))} {}
+              std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls)),
+              {world.area_low.x + kAreaMargin, world.area_low.y + kAreaMargin,
+               world.area_high.x - kAreaMargin, world.area_high.y - kAreaMargin},
+              {}} {}
 
   /// Sorts bodies and objects anew where they moved since. Whichever thread comes first does it.
   void refresh();
@@ -125,7 +132,7 @@ struct Simulator::Parts {
   std::uint32_t kind_of(const BodySpec& spec);
   void want(const percept::Action& action, std::uint32_t body, double dt);
   bool counts_wheels(std::uint32_t body) const {
-    return kinds[state.bodies.kind[body]].spec.odometry_noise > 0.0;
+    return state.kinds[state.bodies.kind[body]].spec.odometry_noise > 0.0;
   }
   void carry_out(const percept::Action& action, std::uint32_t body);
   void localize(const percept::Request& request, std::uint32_t body);
@@ -134,9 +141,7 @@ struct Simulator::Parts {
 
   SimulatorSettings settings;
   Workers workers;
-  Box area;  ///< where the centres of held bodies may be
   State state;
-  std::vector<Kind> kinds;
   std::vector<std::uint32_t> by_robot;  ///< body indices in the order of robot ids
   bool has_odometry = false;            ///< some kind counts its wheels
   std::vector<geom::Pose> departure;    ///< of all bodies, before they move; where has_odometry
@@ -172,13 +177,13 @@ void Simulator::Parts::refresh() {
 }
 
 std::uint32_t Simulator::Parts::kind_of(const BodySpec& spec) {
-  const auto found = std::ranges::find_if(kinds, [&](const Kind& kind) { return kind.spec == spec; });
-  if (found == kinds.end()) {
-    kinds.push_back({spec, RingBeams(spec.ring, spec.radius)});
+  const auto found = std::ranges::find_if(state.kinds, [&](const Kind& kind) { return kind.spec == spec; });
+  if (found == state.kinds.end()) {
+    state.kinds.push_back({spec, RingBeams(spec.ring, spec.radius)});
     has_odometry = has_odometry || spec.odometry_noise > 0.0;
-    return static_cast<std::uint32_t>(kinds.size() - 1);
+    return static_cast<std::uint32_t>(state.kinds.size() - 1);
   }
-  return static_cast<std::uint32_t>(found - kinds.begin());
+  return static_cast<std::uint32_t>(found - state.kinds.begin());
 }
 
 /// What the body would do if nothing were in its way.
@@ -187,7 +192,7 @@ void Simulator::Parts::want(const percept::Action& action, std::uint32_t body, d
   Offset& motion = contact.motions()[body];
   motion = {};
   if (!bodies.present[body]) return;
-  const BodySpec& spec = kinds[bodies.kind[body]].spec;
+  const BodySpec& spec = state.kinds[bodies.kind[body]].spec;
   const Kinematics& kinematics = spec.kinematics;
   const WantedMotion wanted =
       drive(kinematics, action, bodies.heading[body], bodies.ahead[body], bodies.momentum[body], dt);
@@ -225,7 +230,7 @@ void Simulator::Parts::localize(const percept::Request& request, std::uint32_t b
   }
   placer.rebuild(bodies);
   const auto place = placer.nearest_free(bodies, *state.statics, request.place, bodies.radius[body],
-                                         bodies.held[body] ? area : kWholeWorld, body);
+                                         bodies.held[body] ? state.area : kWholeWorld, body);
   if (!place) return;
   bodies.x[body] = place->x;
   bodies.y[body] = place->y;
@@ -242,7 +247,8 @@ void Simulator::Parts::count_wheels() {
     const OdometryStep step{departure[i], {bodies.position(i), bodies.heading[i]}};
     base::Random random =
         base::Random::of(settings.seed, bodies.robot[i].value, base::hash_text("odometry"), state.cycle);
-    bodies.counted[i] = counted(bodies.counted[i], step, kinds[bodies.kind[i]].spec.odometry_noise, random);
+    bodies.counted[i] =
+        counted(bodies.counted[i], step, state.kinds[bodies.kind[i]].spec.odometry_noise, random);
   }
 }
 
@@ -259,11 +265,11 @@ std::optional<Placement> Simulator::add_body(const BodySetup& setup) {
   geom::Pose pose = setup.pose;
   if (!std::isfinite(pose.heading)) pose.heading = 0.0;
   if (!is_inside(kWholeWorld, pose.position)) return std::nullopt;
-  const bool is_held = is_inside(p.area, pose.position);
+  const bool is_held = is_inside(p.state.area, pose.position);
   if (p.is_placer_stale) p.placer.rebuild(bodies);
   p.is_placer_stale = false;
   const auto place = p.placer.nearest_free(bodies, *p.state.statics, pose.position, spec.radius,
-                                           is_held ? p.area : kWholeWorld);
+                                           is_held ? p.state.area : kWholeWorld);
   if (!place) return std::nullopt;
   const auto index = static_cast<std::uint32_t>(bodies.count());
   bodies.x.push_back(place->x);
@@ -313,7 +319,7 @@ base::RobotId Simulator::robot(BodyIndex body) const {
   return parts_->state.bodies.robot[body.value];
 }
 const BodySpec& Simulator::spec(BodyIndex body) const {
-  return parts_->kinds[parts_->state.bodies.kind[body.value]].spec;
+  return parts_->state.kinds[parts_->state.bodies.kind[body.value]].spec;
 }
 const binding::Momentum& Simulator::momentum(BodyIndex body) const {
   return parts_->state.bodies.momentum[body.value];
@@ -358,8 +364,9 @@ void Simulator::sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& 
   out.carried = carried == 0 ? base::ObjectId{} : state.objects.list()[carried - 1].id;
   out.carried_class =
       carried == 0 ? percept::ObjectClass::kUnknown : state.objects.list()[carried - 1].object_class;
-  const Sensors::Scene scene{bodies,        parts_->grid,          *state.statics, state.objects,
-                             parts_->kinds, parts_->settings.seed, state.cycle};
+  const Sensors::Scene scene{bodies,        parts_->grid,        *state.statics,
+                             state.objects, parts_->state.kinds, parts_->settings.seed,
+                             state.cycle};
   Sensors sensors(scene, i, buffer);
   using percept::Sensor;
   const bool uses_ring =
@@ -413,7 +420,7 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   });
   p.times.move += watch.lap();
 
-  p.contact.move(bodies, {*p.state.statics, p.grid, p.area, p.state.time + dt, dt}, p.workers);
+  p.contact.move(bodies, {*p.state.statics, p.grid, p.state.area, p.state.time + dt, dt}, p.workers);
   p.times.contact += watch.lap();
 
   p.state.objects.follow(bodies);
@@ -479,7 +486,7 @@ std::vector<Placement> Simulator::Parts::replace_statics(std::vector<Disc> discs
     if (!bodies.present[i]) continue;
     const Point here = bodies.position(i);
     const auto place = placer.nearest_free(bodies, *state.statics, here, bodies.radius[i],
-                                           bodies.held[i] ? area : kWholeWorld, i);
+                                           bodies.held[i] ? state.area : kWholeWorld, i);
     if (!place || *place == here) continue;
     bodies.x[i] = place->x;
     bodies.y[i] = place->y;
@@ -550,11 +557,23 @@ bool Simulator::in_sight(Point a, Point b) const {
 }
 
 std::shared_ptr<const Simulator::State> Simulator::snapshot() const {
-  return std::make_shared<const State>(parts_->state);
+  auto out = std::make_shared<State>(parts_->state);
+  out->objects.forget_grid();
+  return out;
+}
+
+std::size_t Simulator::bytes(const State& state) {
+  const std::size_t bodies = state.bodies.count() * kBytesOfBody;
+  std::size_t kinds = state.kinds.size() * sizeof(Kind);
+  for (const Kind& kind : state.kinds) kinds += kind.beams.count() * sizeof(percept::RangeReading) * 2;
+  return sizeof state + bodies + kinds + state.objects.list().size() * sizeof(Object) +
+         state.site.doors().size() * sizeof(percept::Door);
 }
 
 void Simulator::restore(const State& state) {
   parts_->state = state;
+  parts_->has_odometry =
+      std::ranges::any_of(state.kinds, [](const Kind& kind) { return kind.spec.odometry_noise > 0.0; });
   parts_->is_stale = true;
   parts_->is_placer_stale = true;
 }

@@ -133,7 +133,10 @@ class Simulator {
   class State;
   /// Everything that changes from cycle to cycle, copied. Cheap to hold: what doesn't change is shared.
   std::shared_ptr<const State> snapshot() const;
-  /// Back to a snapshot of this simulator; bodies and obstacles added or removed since are undone.
+  /// That it takes up, about; without what doesn't change.
+  static std::size_t bytes(const State& state);
+  /// Back to a snapshot of this simulator, or on from one of another of the same seed; bodies and obstacles
+  /// added or removed since are undone.
   void restore(const State& state);
 
  private:

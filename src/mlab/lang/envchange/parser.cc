@@ -186,6 +186,7 @@ std::optional<overlay::EnvironmentChanges> parse(const text::SourcePtr& source, 
                                                  text::Diagnostics& sink) {
   const std::size_t errors_before = sink.error_count();
   overlay::EnvironmentChanges changes = Parser(source, origin, sink).run();
+  changes.source = source;
   if (sink.error_count() > errors_before) return std::nullopt;
   return changes;
 }

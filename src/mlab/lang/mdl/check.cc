@@ -51,6 +51,17 @@ std::vector<mission::Step> read_steps(const Tree& tree, CommandReader& reader) {
   return out;
 }
 
+// As `options`, and what is read is added to `texts`.
+LoadOptions noting_texts(const LoadOptions& options, std::vector<text::SourcePtr>& texts) {
+  LoadOptions out = options;
+  out.files.read = [read = options.files.read, &texts](const std::string& path) {
+    text::Result<text::SourcePtr> source = read(path);
+    if (source) texts.push_back(*source);
+    return source;
+  };
+  return out;
+}
+
 }  // namespace
 
 std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& source,
@@ -66,10 +77,13 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
   }
   auto mission = std::make_shared<mission::Mission>();
   mission->source = source;
+  mission->folder = folder;
+  for (const Setting& one : options.settings) mission->set.emplace_back(one.name, one.value);
   mission->types.push_back(predefined_type());
   Roster roster(*mission, source, tree.damage, diagnostics, options.societies);
+  const LoadOptions noting = noting_texts(options, mission->texts);
   Settings settings(options.settings, diagnostics);
-  Preamble preamble(*mission, roster, tree.damage, folder, options, settings, diagnostics);
+  Preamble preamble(*mission, roster, tree.damage, folder, noting, settings, diagnostics);
   preamble.run(tree);
   settings.set_parameters(*mission, tree.damage.types);
   if (!diagnostics.has_errors()) preamble.create_requested_obstacles();

@@ -31,7 +31,10 @@ class TypedLine {
     for (const Statement& statement : tree_.typed) read(statement);
     std::ranges::sort(edited_->robots, {}, &mission::Robot::id);
     check_commands_of_one_step(out_.commands, *edited_, diagnostics_);
-    if (has_edits_) out_.edited = std::move(edited_);
+    if (has_edits_) {
+      edited_->typed.emplace_back(tree_.source->text());
+      out_.edited = std::move(edited_);
+    }
     return std::move(out_);
   }
 

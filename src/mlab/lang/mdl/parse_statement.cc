@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/mdl/options.h"
 #include "mlab/lang/mdl/parser.h"
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/lang/odl/token.h"

@@ -42,6 +42,9 @@ class ExecutableRunner final : public ProgramRunner {
   void wait(const Meanwhile& meanwhile) override;
   std::expected<Said, std::string> said(Member member) override;
   Workings workings(Member /*member*/) const override { return {}; }
+  std::expected<RobotMemory, std::string> memory(Member /*member*/) const override {
+    return std::unexpected(kElsewhere);
+  }
   flow::Frame save(Member /*member*/) const override { return {}; }
   bool restore(Member /*member*/, const flow::Frame& /*frame*/) override { return false; }
 

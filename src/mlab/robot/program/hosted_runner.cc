@@ -31,6 +31,11 @@ std::size_t HostedRunner::process_for(const std::shared_ptr<const robot_host::Ho
 void HostedRunner::remove(Member member) {
   const std::size_t process = members_[member].process;
   members_.remove(member);
+  leave_process(process);
+}
+
+// Nobody's process ends.
+void HostedRunner::leave_process(std::size_t process) {
   if (process == kNoProcess) return;
   const bool is_used =
       std::ranges::any_of(members_, [&](const Robot& one) { return one.process == process; });
@@ -39,11 +44,23 @@ void HostedRunner::remove(Member member) {
 
 std::optional<std::string> HostedRunner::start(Member member) {
   Robot& robot = members_[member];
-  const auto& hosted = robot.values.robot_program().hosted;
-  if (robot.process == kNoProcess || processes_[robot.process].program != hosted)
-    robot.process = process_for(hosted);
+  give_process(robot);
   robot.values.start();
   return std::nullopt;
+}
+
+void HostedRunner::give_process(Robot& robot) {
+  const auto& hosted = robot.values.robot_program().hosted;
+  if (robot.process != kNoProcess && processes_[robot.process].program == hosted) return;
+  leave_process(std::exchange(robot.process, kNoProcess));
+  robot.process = process_for(hosted);
+}
+
+// Processes keep nothing from one cycle to the next: whose process it is does not matter.
+void HostedRunner::remember(Member member, const RobotMemory& memory) {
+  Robot& robot = members_[member];
+  robot.values.remember(memory);
+  if (memory.has_started) give_process(robot);
 }
 
 void HostedRunner::open() {

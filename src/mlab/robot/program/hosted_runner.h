@@ -51,6 +51,10 @@ class HostedRunner final : public ProgramRunner {
   bool restore(Member member, const flow::Frame& frame) override {
     return members_[member].values.restore(frame);
   }
+  std::expected<RobotMemory, std::string> memory(Member member) const override {
+    return members_[member].values.memory();
+  }
+  void remember(Member member, const RobotMemory& memory) override;
 
  private:
   static constexpr std::size_t kNoProcess = ~std::size_t{0};
@@ -65,6 +69,8 @@ class HostedRunner final : public ProgramRunner {
     Turn turn;
   };
   std::size_t process_for(const std::shared_ptr<const robot_host::HostedProgram>& program);
+  void give_process(Robot& robot);
+  void leave_process(std::size_t process);
   void take(Robot& robot);
 
   std::uint64_t seed_;

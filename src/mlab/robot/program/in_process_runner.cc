@@ -13,6 +13,12 @@ std::optional<std::string> InProcessRunner::start(Member member) {
   return std::nullopt;
 }
 
+// What was computed ahead of the cycle that it goes back to is computed again.
+void InProcessRunner::remember(Member member, const RobotMemory& memory) {
+  if (async_ && async_->size() > 0) async_ = std::make_unique<flow::AsyncRunner>(1);
+  members_[member].remember(memory);
+}
+
 void InProcessRunner::needs(std::span<const Member> members, std::span<percept::Needs> out) const {
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Workings robot = members_[members[i]].workings();

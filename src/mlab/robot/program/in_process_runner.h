@@ -39,6 +39,10 @@ class InProcessRunner final : public ProgramRunner {
   RobotValues* values(Member member) override { return &members_[member]; }
   flow::Frame save(Member member) const override { return members_[member].saved(); }
   bool restore(Member member, const flow::Frame& frame) override { return members_[member].restore(frame); }
+  std::expected<RobotMemory, std::string> memory(Member member) const override {
+    return members_[member].memory();
+  }
+  void remember(Member member, const RobotMemory& memory) override;
 
  private:
   std::uint64_t seed_;

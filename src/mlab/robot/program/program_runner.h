@@ -18,6 +18,7 @@
 #include "mlab/percept/action.h"
 #include "mlab/percept/needs.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/robot/program/robot_memory.h"
 #include "mlab/robot/program/robot_program.h"
 #include "mlab/robot/program/said.h"
 
@@ -134,6 +135,15 @@ class ProgramRunner {
   /// @param frame  from `save`, of a robot of the same program
   /// @return  false: it is none of this program's
   virtual bool restore(Member member, const flow::Frame& frame) = 0;
+
+  /// All that the robot goes on from, between two cycles.
+  /// @errors  a sentence: its values are kept elsewhere
+  virtual std::expected<RobotMemory, std::string> memory(Member /*member*/) const {
+    return std::unexpected("its program keeps its values elsewhere");
+  }
+  /// Goes on from there.
+  /// @param memory  of a robot of this id, from `memory` of a runner of this kind and seed
+  virtual void remember(Member /*member*/, const RobotMemory& /*memory*/) {}
 
   /// The machine that carries the robot; empty: this one.
   virtual std::string machine(Member /*member*/) const { return ""; }

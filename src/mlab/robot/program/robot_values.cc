@@ -121,6 +121,31 @@ bool RobotValues::restore(const flow::Frame& frame) {
   return true;
 }
 
+RobotMemory RobotValues::memory() const {
+  return {program_,
+          {program_->initial, frame_},
+          interventions_ ? std::make_shared<const flow::Interventions>(*interventions_) : nullptr,
+          set_,
+          has_started_};
+}
+
+void RobotValues::remember(const RobotMemory& memory) {
+  program_ = memory.program;
+  memory.values.apply(program_->initial, frame_);
+  interventions_ =
+      memory.interventions ? std::make_unique<flow::Interventions>(*memory.interventions) : nullptr;
+  set_ = memory.set;
+  has_started_ = memory.has_started;
+}
+
+std::size_t RobotMemory::bytes() const {
+  constexpr std::size_t kNode = 48;  // of a map, beside what it holds
+  std::size_t out = sizeof *this + values.bytes() + (interventions ? sizeof *interventions : 0);
+  for (const auto& [port, value] : set)
+    out += kNode + sizeof(std::uint32_t) + sizeof(std::string) + value.capacity();
+  return out;
+}
+
 void RobotValues::adopt(std::span<const std::byte> frame, const flow::Interventions* interventions) {
   std::memcpy(frame_.data(), frame.data(), frame_.size());
   if (interventions == nullptr)

@@ -14,6 +14,7 @@
 #include "mlab/flow/frame.h"
 #include "mlab/percept/action.h"
 #include "mlab/robot/program/program_runner.h"
+#include "mlab/robot/program/robot_memory.h"
 #include "mlab/robot/program/robot_program.h"
 
 namespace mlab::robot {
@@ -47,6 +48,8 @@ class RobotValues {
   /// @return  what begins anew
   std::vector<flow::Restart> go_on_from(const RobotValues& before);
   bool restore(const flow::Frame& frame);
+  RobotMemory memory() const;
+  void remember(const RobotMemory& memory);
   /// Values that somebody else has computed on, which fit the program.
   void adopt(std::span<const std::byte> frame, const flow::Interventions* interventions);
   /// Where an action that is no number comes from: path of a port, or words where all ports are sound.

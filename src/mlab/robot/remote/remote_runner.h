@@ -55,6 +55,9 @@ class RemoteRunner : public robot::ProgramRunner {
   robot::Workings workings(Member member) const override;
   robot::RobotValues* values(Member member) override;
   std::vector<flow::Restart> go_on_from(Member member, const robot::RobotValues& before) override;
+  std::expected<robot::RobotMemory, std::string> memory(Member /*member*/) const override {
+    return std::unexpected("another machine carries it, and goes on with its program");
+  }
   flow::Frame save(Member member) const override;
   bool restore(Member member, const flow::Frame& frame) override;
 
