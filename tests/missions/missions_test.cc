@@ -21,6 +21,8 @@
 #include "fleet_of_threads.h"
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
+#include "mlab/history/replay.h"
+#include "mlab/history/testing/written_run.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/run/mission_run.h"
@@ -145,6 +147,26 @@ TEST_P(Mission, GivesTheSameReportForAnyNumberOfThreads) {
   EXPECT_EQ(one, report_with(1));
   EXPECT_EQ(one, report_with(2));
   EXPECT_EQ(one, report_with(8));
+}
+
+// Another run, out of what was written of the first one.
+TEST_P(Mission, IsComputedAgainFromItsHistory) {
+  history::testing::WrittenRun written(GetParam() + "/" + GetParam() + ".mdl", 3, true);
+  written.run().post(mission::event::Execute{});
+  while (written.run().time() < 600.0 && written.step()) {
+  }
+  written.end();
+  text::Diagnostics sink;
+  const auto replay = history::Replay::make(written.history(), {cell::testing::code_permitted()}, sink);
+  ASSERT_NE(replay, nullptr) << text::render(sink);
+  std::size_t cycles = 0;
+  while (replay->step()) {
+    ASSERT_EQ(history::testing::all_of(replay->run()), written.values()[cycles]) << "cycle " << cycles + 1;
+    ++cycles;
+  }
+  ASSERT_FALSE(replay->divergence()) << replay->divergence()->cycle << ": " << replay->divergence()->why;
+  EXPECT_EQ(cycles, written.values().size());
+  EXPECT_GT(cycles, 100U);
 }
 
 std::string report_with(const std::string& mission, Home home, double most_seconds = 3600.0) {
@@ -332,6 +354,19 @@ TEST(DemoC, DifferentSeedsGiveDifferentRuns) {
     return run->world().body(run->fleet().robots().front().body).distance_driven;
   };
   EXPECT_NE(path_of(1), path_of(2));
+}
+
+TEST(Checkpoint, ThereIsNoneOfRobotsThatAgentsCarry) {
+  const auto run = prepare(kMissions / "demo_c" / "demo_c.mdl", 1, 1, Home::kAgents);
+  ASSERT_TRUE(run);
+  carry_out(*run, 1.0);
+  const auto checkpoint = run->save();
+  ASSERT_FALSE(checkpoint);
+  EXPECT_EQ(checkpoint.error(), "robot 1: another machine carries it, and goes on with its program");
+  const auto here = prepare(kMissions / "demo_c" / "demo_c.mdl", 1, 1);
+  const auto of_here = here->save();
+  ASSERT_TRUE(of_here) << of_here.error();
+  EXPECT_EQ(run->restore(*of_here), "robots that are carried elsewhere can't be put back");
 }
 
 // The historic operator had to help these two by joystick. They arrive, or say where they are stuck and why.

@@ -53,14 +53,15 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"fleet", {"robot/program", "mission", "binding"}},
     {"run", {"fleet"}},
     {"simulated", {"run"}},
+    {"history", {"simulated", "lang/mdl", "lang/envchange", "mcap"}},
     {"study", {"simulated", "statistics", "lang/mdl", "lang/envchange"}},
     {"assist", {"run", "lang/mdl", "lang/odl", "lang/envchange"}},
     {"project", {"documents", "assist"}},
     {"lsp", {"documents", "assist"}},
     {"console/server", {"base"}},
     {"console",
-     {"cell", "documents", "simulated", "assist", "project", "lang/mdl", "lang/odl", "lang/envchange",
-      "console/server"}},
+     {"cell", "documents", "history", "simulated", "assist", "project", "lang/mdl", "lang/odl",
+      "lang/envchange", "console/server"}},
     {"designer", {"component_test", "console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
     {"tables", {"dds", "lang/mdl", "lang/cdl"}},
 };
@@ -72,7 +73,8 @@ const std::map<std::string, Modules, std::less<>> kKept = {
 };
 
 /// Whose messages a file of proto/mlab holds, by how its name begins.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMessages = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kMessages = {{
+    {"history", "history"},
     {"robot", "robot/wire"},
     {"agent", "robot/remote"},
     {"presence", "agents"},

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mlab/history.pb.h"
+#include "mlab/run/input.h"
+#include "mlab/text/source.h"
+
+namespace mlab::history {
+
+/// What came in, and when. What it means is known once its texts were read.
+struct InputEntry {
+  run::Moment moment;
+  double time = 0.0;  ///< [s]
+  wire::HistoryInput input;
+};
+
+/// How the run stood.
+struct MarkEntry {
+  std::uint64_t cycle = 0;
+  std::uint64_t digest = 0;
+};
+
+struct PosesEntry {
+  std::uint64_t cycle = 0;
+  double time = 0.0;  ///< [s]
+  wire::HistoryPoses poses;
+};
+
+struct EventEntry {
+  std::uint64_t cycle = 0;
+  double time = 0.0;  ///< [s]
+  std::string text;
+  bool is_warning = false;
+};
+
+struct EndEntry {
+  std::uint64_t cycle = 0;
+  std::string outcome;
+  bool has_looked = false;
+  std::uint64_t digest = 0;
+};
+
+/// The history of one run, as far as it was written. A plain value; whatever it was read from, it is whole:
+/// what refers to a text finds it, and cycles never go back.
+class History {
+ public:
+  static constexpr std::uint32_t kFormat = 1;
+  /// Of texts, together [bytes].
+  static constexpr std::size_t kMostText = std::size_t{256} << 20;
+
+  /// The next entry of a file, or of a run that goes on. Anything may come.
+  /// @errors  a sentence: what is wrong with it; nothing has changed then
+  std::optional<std::string> add(const wire::HistoryEntry& entry);
+
+  /// Nothing before the run's beginning was read.
+  bool has_begun() const { return beginning_.has_value(); }
+  const wire::HistoryBeginning& beginning() const { return *beginning_; }
+  /// By id; null: there is none.
+  text::SourcePtr text(std::uint32_t id) const;
+  const std::vector<InputEntry>& inputs() const { return inputs_; }
+  const std::vector<MarkEntry>& marks() const { return marks_; }
+  const std::vector<PosesEntry>& poses() const { return poses_; }
+  const std::vector<EventEntry>& events() const { return events_; }
+  /// Nothing where the run was not told to its end: it goes on, or it was killed.
+  const std::optional<EndEntry>& end() const { return end_; }
+  /// The last that is known of, and its time [s].
+  std::uint64_t last_cycle() const { return last_cycle_; }
+  double last_time() const { return last_time_; }
+
+  /// Why the run can't be computed again whatever program reads this, as a sentence; empty: it can.
+  std::string why_not_recomputed() const;
+
+ private:
+  std::optional<std::string> add_text(const wire::HistoryText& text);
+  std::optional<std::string> check(const wire::HistoryMission& mission) const;
+  std::optional<std::string> add_body(const wire::HistoryEntry& entry);
+
+  std::optional<wire::HistoryBeginning> beginning_;
+  std::map<std::uint32_t, text::SourcePtr> texts_;
+  std::size_t text_bytes_ = 0;
+  std::vector<InputEntry> inputs_;
+  std::vector<MarkEntry> marks_;
+  std::vector<PosesEntry> poses_;
+  std::vector<EventEntry> events_;
+  std::optional<EndEntry> end_;
+  std::uint64_t last_cycle_ = 0;
+  double last_time_ = 0.0;
+};
+
+}  // namespace mlab::history

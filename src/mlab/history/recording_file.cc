@@ -1,0 +1,161 @@
+#include "mlab/history/recording_file.h"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/core.h>
+#include <google/protobuf/descriptor.h>
+
+#include "mlab/mcap/protobuf_schema.h"
+#include "mlab/mcap/reader.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::history {
+namespace {
+
+constexpr std::string_view kTopics = "/mlab/";
+constexpr std::chrono::seconds kFlushed{1};  // apart, at most
+
+// `input`, `poses`, ...; empty where it is of a kind that this program does not know.
+std::string kind_of(const wire::HistoryEntry& entry) {
+  const auto* field = wire::HistoryEntry::descriptor()->FindFieldByNumber(entry.body_case());
+  return field == nullptr ? "" : field->name();
+}
+
+text::Diagnostic problem_with(const char* kind, std::string message) {
+  return {text::Severity::kError, kind, std::move(message), {}, {}, {}, {}};
+}
+
+std::unexpected<text::Diagnostic> no_recording(const std::string& path, const std::string& why) {
+  return std::unexpected(
+      problem_with("no-recording", fmt::format("`{}` is no recording of a run: {}", text::shown(path), why)));
+}
+
+bool parse(const mcap::Message& message, wire::HistoryEntry& out) {
+  return message.data.size() <= mcap::kMostRecordBytes &&
+         out.ParseFromArray(message.data.data(), static_cast<int>(message.data.size()));
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(std::string path, double started_at, mcap::Writer writer)
+    : path_(std::move(path)),
+      started_at_(started_at),
+      writer_(std::move(writer)),
+      flushed_(std::chrono::steady_clock::now()) {}
+
+text::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& path,
+                                                                       double started_at) {
+  auto writer = mcap::Writer::create(path);
+  if (!writer)
+    return std::unexpected(
+        problem_with("can-not-write",
+                     fmt::format("`{}` can't be written: {}", text::shown(path), writer.error().message)));
+  return std::unique_ptr<RecordingWriter>(new RecordingWriter(path, started_at, std::move(*writer)));
+}
+
+std::uint64_t RecordingWriter::time_of(const wire::HistoryEntry& entry) const {
+  return static_cast<std::uint64_t>(std::max(0.0, started_at_ + entry.time()) * 1e9);
+}
+
+mcap::ChannelId RecordingWriter::channel_of(const wire::HistoryEntry& entry) {
+  mcap::ChannelId& channel = channels_[entry.body_case()];
+  if (channel.value != 0) return channel;
+  const auto schema = writer_.add_schema(mcap::protobuf_schema(*wire::HistoryEntry::descriptor()));
+  if (!schema) {
+    note(schema.error());
+    return {};
+  }
+  const auto added = writer_.add_channel(
+      {.schema = *schema, .topic = std::string(kTopics) + kind_of(entry), .message_encoding = "protobuf"});
+  if (added)
+    channel = *added;
+  else
+    note(added.error());
+  return channel;
+}
+
+void RecordingWriter::note(const mcap::WriteError& error) {
+  if (!problem_.empty()) return;
+  problem_ = fmt::format("`{}` does not go on: {}", text::shown(path_), error.message);
+}
+
+void RecordingWriter::put(const wire::HistoryEntry& entry) {
+  if (!problem_.empty()) return;
+  const mcap::ChannelId channel = channel_of(entry);
+  if (!problem_.empty()) return;
+  bytes_.clear();
+  entry.AppendToString(&bytes_);
+  const std::uint64_t time = time_of(entry);
+  const auto written =
+      writer_.write({channel, ++count_, time, time, std::as_bytes(std::span(bytes_.data(), bytes_.size()))});
+  if (!written) {
+    note(written.error());
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (!entry.has_input() && !entry.has_beginning() && now < flushed_ + kFlushed) return;
+  flushed_ = now;
+  if (const auto flushed = writer_.flush(); !flushed) note(flushed.error());
+}
+
+void RecordingWriter::close() {
+  if (const auto closed = writer_.close(); !closed) note(closed.error());
+}
+
+text::Result<RecordingSummary> summarize_recording(const std::string& path) {
+  auto reader = mcap::Reader::open(path);
+  if (!reader) return std::unexpected(reader.error());
+  RecordingSummary out;
+  bool has_begun = false;
+  mcap::Messages messages = reader->messages({.topics = {"/mlab/beginning", "/mlab/end"}});
+  wire::HistoryEntry entry;
+  for (auto one = messages.next(); one && *one != nullptr; one = messages.next()) {
+    if (!parse(**one, entry)) continue;
+    if (entry.has_end()) out.outcome = entry.end().outcome();
+    if (!entry.has_beginning()) continue;
+    has_begun = true;
+    out.mission = entry.beginning().mission().path();
+    out.version = entry.beginning().version();
+    out.seed = entry.beginning().seed();
+    out.started_at = entry.beginning().started_at();
+  }
+  if (!has_begun) return no_recording(path, "it has no channel `/mlab/beginning`");
+  const mcap::Summary& summary = reader->summary();
+  out.length = static_cast<double>(summary.end_time - std::min(summary.start_time, summary.end_time)) * 1e-9;
+  return out;
+}
+
+text::Result<Recording> read_recording(const std::string& path) {
+  auto reader = mcap::Reader::open(path);
+  if (!reader) return std::unexpected(reader.error());
+  const auto history = std::make_shared<History>();
+  Recording out{history, reader->ending().sentence()};
+  mcap::Selection wanted;
+  for (const auto& [id, channel] : reader->summary().channels) {
+    if (channel.topic.starts_with(kTopics)) wanted.topics.push_back(channel.topic);
+  }
+  if (wanted.topics.empty()) return no_recording(path, "it has no channel `/mlab/beginning`");
+  mcap::Messages messages = reader->messages(wanted);
+  wire::HistoryEntry entry;
+  for (auto one = messages.next();; one = messages.next()) {
+    // What comes behind a gap can't be told from what would have come.
+    if (!one) {
+      out.cut = one.error().message;
+      break;
+    }
+    if (*one == nullptr) break;
+    const std::optional<std::string> problem =
+        parse(**one, entry) ? history->add(entry) : "a message can't be understood";
+    if (!problem) continue;
+    if (!history->has_begun()) return no_recording(path, *problem);
+    out.cut = fmt::format("readable up to cycle {}: {}", history->last_cycle(), *problem);
+    break;
+  }
+  if (!history->has_begun()) return no_recording(path, out.cut.empty() ? "nothing is in it" : out.cut);
+  return out;
+}
+
+}  // namespace mlab::history

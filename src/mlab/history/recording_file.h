@@ -1,0 +1,71 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mlab/history.pb.h"
+#include "mlab/history/history.h"
+#include "mlab/mcap/writer.h"
+#include "mlab/text/diagnostic.h"
+
+namespace mlab::history {
+
+/// Writes a history to an MCAP file: a channel for each kind of entry, `/mlab/input`, `/mlab/poses`, ... What
+/// came in is in the file before it has any effect; all else at most a second later.
+class RecordingWriter {
+ public:
+  /// Makes the file, or replaces the one that is there.
+  /// @param started_at  wall clock at run time 0, seconds since 1970-01-01 00:00 UTC
+  static text::Result<std::unique_ptr<RecordingWriter>> create(const std::string& path, double started_at);
+
+  /// After an error nothing more is written; what stands can be read.
+  void put(const wire::HistoryEntry& entry);
+  /// Why the file does not go on, as a sentence; empty: it does.
+  const std::string& problem() const { return problem_; }
+  const std::string& path() const { return path_; }
+  /// Nothing more comes.
+  void close();
+
+ private:
+  RecordingWriter(std::string path, double started_at, mcap::Writer writer);
+  std::uint64_t time_of(const wire::HistoryEntry& entry) const;
+  mcap::ChannelId channel_of(const wire::HistoryEntry& entry);
+  void note(const mcap::WriteError& error);
+
+  const std::string path_;
+  const double started_at_;
+  mcap::Writer writer_;
+  std::map<int, mcap::ChannelId> channels_;  // by kind of entry
+  std::string bytes_;
+  std::uint32_t count_ = 0;
+  std::chrono::steady_clock::time_point flushed_;
+  std::string problem_;
+};
+
+/// A recording, as far as it can be read.
+struct Recording {
+  std::shared_ptr<const History> history;
+  std::string cut;  ///< how far it could be read, and why no further, as a sentence; empty: to its end
+};
+
+/// What can be said of a recording without reading it.
+struct RecordingSummary {
+  std::string mission;  ///< path of its text, as it was read
+  std::string version;  ///< of missionlab
+  std::uint64_t seed = 0;
+  double started_at = 0.0;  ///< wall clock, seconds since 1970-01-01 00:00 UTC
+  double length = 0.0;      ///< of the run, as far as it was recorded [s, simulated]
+  std::string outcome;      ///< empty: the run was cut off, or goes on
+};
+
+/// @errors  as `read_recording`
+text::Result<RecordingSummary> summarize_recording(const std::string& path);
+
+/// @errors  `cannot-read`, `no-mcap`; `no-recording`: it is an MCAP file, but of no run
+text::Result<Recording> read_recording(const std::string& path);
+
+}  // namespace mlab::history

@@ -1,0 +1,134 @@
+#include "mlab/history/remaker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/history/wire.h"
+#include "mlab/lang/envchange/envchange.h"
+#include "mlab/robot/program/configuration_file.h"
+#include "mlab/simulated/run.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::history {
+namespace {
+
+// The files of a version, and no others.
+text::Files files_of(const History& history, const wire::HistoryMission& version) {
+  auto by_path = std::make_shared<std::map<std::string, text::SourcePtr>>();
+  for (const std::uint32_t id : version.texts()) {
+    const text::SourcePtr source = history.text(id);
+    by_path->insert_or_assign(source->name(), source);
+  }
+  text::Files out;
+  out.is_file = [by_path](const std::string& path) { return by_path->contains(path); };
+  out.read = [by_path](const std::string& path) -> text::Result<text::SourcePtr> {
+    const auto found = by_path->find(path);
+    if (found != by_path->end()) return found->second;
+    text::Diagnostic missing;
+    missing.kind = "cannot-read";
+    missing.message = fmt::format("cannot read `{}`: it is not part of the recording", text::shown(path));
+    return std::unexpected(missing);
+  };
+  return out;
+}
+
+bool has_same_texts(const wire::HistoryMission& a, const wire::HistoryMission& b) {
+  return std::ranges::equal(a.texts(), b.texts());
+}
+
+}  // namespace
+
+std::unique_ptr<run::MissionRun> Remaker::begin(text::Diagnostics& sink) {
+  const wire::HistoryBeginning& beginning = history_.beginning();
+  crew_ = make(beginning.mission(), nullptr, sink);
+  if (!crew_) return nullptr;
+  run::RunSettings& settings = settings_;
+  settings.seed = beginning.seed();
+  settings.threads = tools_.threads;
+  settings.executive = from_wire(beginning.executive());
+  settings.stands_still_for_operator = beginning.stands_still_for_operator();
+  settings.goes_on_when_done = beginning.goes_on_when_done();
+  if (beginning.environment() != 0) {
+    auto changes =
+        envchange::parse(history_.text(beginning.environment()), crew_->mission->overlay.origin, sink);
+    if (!changes) return nullptr;
+    settings.environment = std::move(*changes);
+  }
+  first_ = crew_;
+  return begin_again();
+}
+
+std::unique_ptr<run::MissionRun> Remaker::begin_again() const {
+  return simulated::make_run(first_, settings_);
+}
+
+std::shared_ptr<const run::Crew> Remaker::make(const wire::HistoryMission& version, const run::Crew* before,
+                                               text::Diagnostics& sink) {
+  files_ = files_of(history_, version);
+  robot::ProgramSources sources{tools_.permission, version.program_folder(), tools_.include_root,
+                                tools_.version, &files_};
+  sources.came_from_elsewhere = true;
+  sources.limits = tools_.limits;
+  mdl::LoadOptions options;
+  options.seed = history_.beginning().obstacle_seed();
+  options.overlay_folders = {history_.beginning().overlay_folders().begin(),
+                             history_.beginning().overlay_folders().end()};
+  options.files = files_;
+  options.societies = robot::society_reader(sources);
+  for (const wire::HistorySetting& one : version.set())
+    options.settings.push_back({one.name(), one.value(), {}, {}});
+  const MissionPtr mission = mission_of(version, options, sink);
+  if (!mission) return nullptr;
+  version_ = version;
+  return run::make_crew(mission, sources, sink, before);
+}
+
+Remaker::MissionPtr Remaker::mission_of(const wire::HistoryMission& version, const mdl::LoadOptions& options,
+                                        text::Diagnostics& sink) {
+  MissionPtr mission;
+  typed_.reset();
+  if (const auto source = files_.read(version.path()))
+    mission = mdl::check_mission(*source, version.folder(), sink, options);
+  for (const std::string& line : version.typed()) {
+    if (!mission) return nullptr;
+    const auto read = mdl::parse_immediate(line, *mission, sink, options);
+    if (!read || !read->edited) return nullptr;
+    mission = read->edited;
+    typed_ = std::pair(line, read->commands);
+  }
+  return mission;
+}
+
+std::optional<run::Input> Remaker::understand(const wire::HistoryInput& input, text::Diagnostics& sink) {
+  if (input.has_posted() && input.posted().kind() == wire::HistoryPosted::TYPED)
+    return typed(input.posted().line(), sink);
+  if (!input.has_exchanged()) {
+    std::optional<run::Input> out = decode(input);
+    if (!out) sink.error("nonsense", {}, "what came in is nothing that this program knows");
+    return out;
+  }
+  const wire::HistoryMission& version = input.exchanged().mission();
+  // Programs are made anew where their files have changed, and where they are taken over.
+  const bool keeps = !input.exchanged().takes_over() && has_same_texts(version, version_);
+  std::shared_ptr<const run::Crew> crew = make(version, keeps ? crew_.get() : nullptr, sink);
+  if (!crew) return std::nullopt;
+  crew_ = crew;
+  return run::input::Exchanged{std::move(crew), input.exchanged().takes_over()};
+}
+
+std::optional<run::Input> Remaker::typed(const std::string& line, text::Diagnostics& sink) {
+  if (typed_ && typed_->first == line) {
+    const auto known = std::exchange(typed_, std::nullopt);
+    return run::input::Posted{mission::event::Typed{known->second, line}};
+  }
+  mdl::LoadOptions options;
+  options.seed = history_.beginning().obstacle_seed();
+  options.files = files_;
+  const auto read = mdl::parse_immediate(line, *crew_->mission, sink, options);
+  if (!read) return std::nullopt;
+  return run::input::Posted{mission::event::Typed{read->commands, line}};
+}
+
+}  // namespace mlab::history

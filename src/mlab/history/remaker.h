@@ -1,0 +1,64 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mlab/cell/permission.h"
+#include "mlab/history/history.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/robot/host/limits.h"
+#include "mlab/run/crew.h"
+#include "mlab/run/mission_run.h"
+#include "mlab/text/diagnostic.h"
+#include "mlab/text/files.h"
+
+namespace mlab::history {
+
+/// What a run is made again with, on this machine.
+struct ReplayTools {
+  cell::Permission permission;    ///< whether code that the history brings may be compiled and run
+  std::string include_root = {};  ///< as robot::ProgramSources
+  std::string version = {};       ///< likewise
+  robot_host::Limits limits = {};
+  int threads = 1;
+};
+
+/// Makes missions and programs out of a history's texts, and reads nothing else, by whatever name. Where the
+/// history is a stranger's, so are these.
+class Remaker {
+ public:
+  /// @param history  outlives it
+  Remaker(const History& history, ReplayTools tools) : history_(history), tools_(std::move(tools)) {}
+
+  /// The run before anything came in. Once.
+  /// @return null where there were errors, all in `sink`
+  std::unique_ptr<run::MissionRun> begin(text::Diagnostics& sink);
+  /// The same once more, of the same programs. After `begin`.
+  std::unique_ptr<run::MissionRun> begin_again() const;
+  /// What came in, with what its texts mean now; to be asked in order.
+  /// @return nothing where it can't be understood, which is said in `sink`
+  std::optional<run::Input> understand(const wire::HistoryInput& input, text::Diagnostics& sink);
+
+ private:
+  using MissionPtr = std::shared_ptr<const mission::Mission>;
+
+  std::shared_ptr<const run::Crew> make(const wire::HistoryMission& version, const run::Crew* before,
+                                        text::Diagnostics& sink);
+  MissionPtr mission_of(const wire::HistoryMission& version, const mdl::LoadOptions& options,
+                        text::Diagnostics& sink);
+  std::optional<run::Input> typed(const std::string& line, text::Diagnostics& sink);
+
+  const History& history_;
+  const ReplayTools tools_;
+  std::shared_ptr<const run::Crew> first_;
+  run::RunSettings settings_;
+  text::Files files_;  // of the version in force
+  std::shared_ptr<const run::Crew> crew_;
+  wire::HistoryMission version_;
+  // By the line that the last version came from, where it was typed: it was read against the version before.
+  std::optional<std::pair<std::string, std::vector<mission::Command>>> typed_;
+};
+
+}  // namespace mlab::history

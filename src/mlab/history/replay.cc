@@ -1,0 +1,100 @@
+#include "mlab/history/replay.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/history/digest.h"
+
+namespace mlab::history {
+namespace {
+
+constexpr const char* kElsewhere = "robots are not where they were when the run was written";
+
+}  // namespace
+
+std::unique_ptr<Replay> Replay::make(std::shared_ptr<const History> history, ReplayTools tools,
+                                     text::Diagnostics& sink) {
+  if (const std::string why = history->why_not_recomputed(); !why.empty()) {
+    sink.error("not-recomputed", {}, fmt::format("the run can't be computed again: {}", why));
+    return nullptr;
+  }
+  std::unique_ptr<Replay> out(new Replay(std::make_shared<Understood>(std::move(history), std::move(tools))));
+  out->run_ = out->understood_->remaker().begin(sink);
+  return out->run_ ? std::move(out) : nullptr;
+}
+
+std::unique_ptr<Replay> Replay::again() const {
+  std::unique_ptr<Replay> out(new Replay(understood_));
+  out->run_ = understood_->remaker().begin_again();
+  return out;
+}
+
+std::expected<Replay::Checkpoint, std::string> Replay::save() const {
+  auto run = run_->save();
+  if (!run) return std::unexpected(std::move(run.error()));
+  return Checkpoint{std::move(*run), next_input_};
+}
+
+std::optional<std::string> Replay::restore(const Checkpoint& checkpoint) {
+  if (auto problem = run_->restore(checkpoint.run)) return problem;
+  const std::vector<MarkEntry>& marks = history().marks();
+  next_input_ = checkpoint.inputs;
+  next_mark_ = static_cast<std::size_t>(
+      std::ranges::upper_bound(marks, run_->cycle(), {}, &MarkEntry::cycle) - marks.begin());
+  is_at_end_ = false;
+  divergence_.reset();
+  return std::nullopt;
+}
+
+bool Replay::part(std::string why) {
+  divergence_ = Divergence{run_->cycle(), std::move(why)};
+  return false;
+}
+
+bool Replay::take_inputs() {
+  const std::vector<InputEntry>& inputs = history().inputs();
+  for (; next_input_ < inputs.size() && inputs[next_input_].moment.cycle == run_->cycle(); ++next_input_) {
+    const InputEntry& next = inputs[next_input_];
+    if (next.moment.has_looked && !run_->moment().has_looked) run_->look();
+    const Understood::One& input = understood_->input(next_input_);
+    if (!input) return part(input.error());
+    run_->take(*input);
+  }
+  return true;
+}
+
+bool Replay::step() {
+  if (divergence_ || is_at_end_) return false;
+  if (!take_inputs()) return false;
+  if (run_->cycle() >= history().last_cycle()) return finish();
+  if (run_->step() != run::MissionRun::Progress::kStepped)
+    return part("no more time passes, though it did when the run was written");
+  compare();
+  return !divergence_;
+}
+
+bool Replay::finish() {
+  const std::optional<EndEntry>& end = history().end();
+  if (!end) return false;
+  if (end->has_looked && !run_->moment().has_looked) run_->look();
+  is_at_end_ = true;
+  if (end->digest != digest_of(*run_)) return part(kElsewhere);
+  ++equal_marks_;
+  return false;
+}
+
+void Replay::compare() {
+  const std::vector<MarkEntry>& marks = history().marks();
+  for (; next_mark_ < marks.size() && marks[next_mark_].cycle <= run_->cycle(); ++next_mark_) {
+    if (marks[next_mark_].cycle < run_->cycle()) continue;  // of cycle 0
+    if (marks[next_mark_].digest != digest_of(*run_)) {
+      part(kElsewhere);
+      return;
+    }
+    ++equal_marks_;
+  }
+}
+
+}  // namespace mlab::history

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mlab/history/history.h"
+#include "mlab/history/history_writer.h"
+#include "mlab/run/mission_run.h"
+
+namespace mlab::history::testing {
+
+/// A mission of the project that is carried out, and whose history is written.
+class WrittenRun {
+ public:
+  /// @param file  relative to the project's folder `missions`
+  /// @param proceeds  each question is answered with yes at once
+  explicit WrittenRun(const std::string& file, std::uint64_t seed = 1, bool proceeds = false);
+
+  run::MissionRun& run() { return *run_; }
+  /// One cycle. False where no time passed.
+  bool step();
+  void end() { writer_.end("interrupted"); }
+  /// What was written so far; it grows.
+  std::shared_ptr<const History> history() const { return history_; }
+  /// What all robots held after each cycle, as numbers.
+  const std::vector<std::uint64_t>& values() const { return values_; }
+  const std::vector<wire::HistoryEntry>& entries() const { return entries_; }
+
+  /// Another version of the mission's file, in which `from` was written as `to`.
+  std::shared_ptr<const run::Crew> edited(const std::string& from, const std::string& to);
+  /// A line that was typed, as the console takes it.
+  void type(const std::string& line);
+
+ private:
+  std::string path_;
+  std::shared_ptr<History> history_ = std::make_shared<History>();
+  std::vector<wire::HistoryEntry> entries_;
+  HistoryWriter writer_;
+  std::unique_ptr<run::MissionRun> run_;
+  std::vector<std::uint64_t> values_;
+};
+
+/// Poses, states and the value of every port of every robot; bodies and the world; what was noted of the run.
+std::uint64_t all_of(const run::MissionRun& run);
+
+}  // namespace mlab::history::testing
