@@ -40,6 +40,7 @@ struct RunOptions {
   bool quiet = false;
   bool allow_native = false;
   bool no_cell = false;
+  bool no_record = false;  ///< the console records nothing
   RobotsAt robots = RobotsAt::kRun;
   NetworkOptions network;     ///< of kFleet
   bool real_time = false;     ///< its robots are not waited for
@@ -51,6 +52,7 @@ struct RunOptions {
   std::string plot;                ///< SVG file; empty: none
   std::string percepts;            ///< file that bodies are read from; empty: simulated ones
   std::string save_percepts;       ///< file that percepts are written to; empty: none
+  std::string record;              ///< MCAP file; empty: headless none, in the console one on the shelf
   std::string environment;         ///< environment-change file; empty: none
   std::string start_time;          ///< of the mission clock; empty: now
   std::vector<std::string> set;    ///< `NAME=VALUE`, in place of what the mission says
@@ -76,6 +78,29 @@ int run(const RunOptions& options);
 int run_console(const RunOptions& options);
 /// The designer, and beside it a console without a mission, until it is interrupted.
 int edit(RunOptions options);
+
+struct ReplayOptions {
+  std::string recording;  ///< empty: those that the console has recorded are listed
+  std::string report;     ///< file; empty: none
+  std::string project;    ///< folder; empty: the current one
+  bool quiet = false;
+  robot_host::Limits limits;  ///< of robots with code of their own
+  int threads = 1;
+};
+/// Computes a recorded run again, and says whether it is the same.
+int replay(const ReplayOptions& options);
+
+struct TraceOptions {
+  ReplayOptions replay;
+  std::vector<std::uint32_t> robots;  ///< empty: all
+  std::vector<std::string> ports;     ///< paths, in which `*` stands for anything; empty: all outputs
+  double from = 0.0;                  ///< [s]
+  std::optional<double> to;           ///< [s]; nothing: the end
+  std::uint32_t every = 1;            ///< cycles
+  bool says_csv = false;              ///< which is what it does anyway
+};
+/// Says what ports of a recorded run held, as CSV.
+int trace(const TraceOptions& options);
 
 struct BatchOptions {
   std::string file;  ///< a mission, or the definition of a batch (.toml)

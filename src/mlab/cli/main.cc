@@ -24,6 +24,7 @@
 #include "mlab/cli/fleet_words.h"
 #include "mlab/cli/option_groups.h"
 #include "mlab/cli/output.h"
+#include "mlab/cli/replay_options.h"
 #include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"
 #include "mlab/text/diagnostic.h"
@@ -59,6 +60,31 @@ void add_robots(CLI::App* c, RunOptions& o) {
   add_network(c, o.network);
 }
 
+// What a run reads and writes beside its mission.
+void add_run_files(CLI::App* c, RunOptions& o) {
+  c->add_option("--report", o.report, "write what happened to a JSON file (docs/report.md)")
+      ->type_name("FILE.json");
+  c->add_option("--plot", o.plot, "draw the map and the robots' ways as an SVG picture")
+      ->type_name("FILE.svg");
+  add_record(c, o);
+  c->add_option("--save-percepts", o.save_percepts,
+                "write what the robots sense and do to a file (docs/percepts.md); with --headless")
+      ->type_name("FILE");
+  c->add_option(
+       "--percepts", o.percepts,
+       "let the robots' programs act on what such a file says, and compare what they do; with --headless")
+      ->type_name("FILE");
+  c->add_option(
+       "--environment", o.environment,
+       "change the world while the mission runs, as this file says; -: standard input, with --headless")
+      ->type_name("FILE");
+  c->add_option("--set", o.set,
+                "in place of what the mission says: a parameter of its robots (scout:NAME for one type), a "
+                "number that SET gives,\nor OVERLAY; again for each (docs/batch.md); with --headless")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+}
+
 void add_run(CLI::App& app, RunOptions& o) {
   CLI::App* c = app.add_subcommand("run", "Carry out a mission in simulation, watched from a browser.");
   c->add_option("mission", o.mission,
@@ -78,26 +104,7 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->check(CLI::Range(1, 256))
       ->type_name("N");
   add_robots(c, o);
-  c->add_option("--report", o.report, "write what happened to a JSON file (docs/report.md)")
-      ->type_name("FILE.json");
-  c->add_option("--plot", o.plot, "draw the map and the robots' ways as an SVG picture")
-      ->type_name("FILE.svg");
-  c->add_option("--save-percepts", o.save_percepts,
-                "write what the robots sense and do to a file (docs/percepts.md); with --headless")
-      ->type_name("FILE");
-  c->add_option(
-       "--percepts", o.percepts,
-       "let the robots' programs act on what such a file says, and compare what they do; with --headless")
-      ->type_name("FILE");
-  c->add_option(
-       "--environment", o.environment,
-       "change the world while the mission runs, as this file says; -: standard input, with --headless")
-      ->type_name("FILE");
-  c->add_option("--set", o.set,
-                "in place of what the mission says: a parameter of its robots (scout:NAME for one type), a "
-                "number that SET gives,\nor OVERLAY; again for each (docs/batch.md); with --headless")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
+  add_run_files(c, o);
   c->add_option("--start-time", o.start_time,
                 "what the mission's clock shows at the start: \"YYYY-MM-DD HH:MM[:SS]\" (default: now)")
       ->type_name("TIME");
@@ -469,6 +476,8 @@ struct AllOptions {
   AgentOptions agent;
   FleetOptions fleet;
   KeysOptions keys;
+  ReplayOptions replay;
+  TraceOptions trace;
   NewOptions fresh;
   OwnOptions own;
   bool says_stdio = false;
@@ -492,6 +501,9 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_bench(app, o.bench);
   add_agent_options(app.add_subcommand("agent", kAgentDescription), o.agent);
   add_fleet(app, o.fleet);
+  o.replay.threads = o.trace.replay.threads = o.run.threads;
+  add_replay_options(app.add_subcommand("replay", kReplayDescription), o.replay);
+  add_trace_options(app.add_subcommand("trace", kTraceDescription), o.trace);
   add_keys(app, o.keys);
   add_lsp(app, o.says_stdio);
   add_new(app, o.fresh);
@@ -513,6 +525,8 @@ int do_as_told(CLI::App& app, const AllOptions& o) {
   if (app.got_subcommand("agent")) return agent(o.agent);
   if (app.got_subcommand("fleet")) return show_fleet(o.fleet);
   if (app.got_subcommand("keys")) return keys(o.keys);
+  if (app.got_subcommand("replay")) return replay(o.replay);
+  if (app.got_subcommand("trace")) return trace(o.trace);
   if (app.got_subcommand("new")) return make_new(o.fresh);
   if (!app.got_subcommand("bench")) return show_own(app, o.own);
   return bench(o.bench);

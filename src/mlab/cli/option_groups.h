@@ -43,28 +43,33 @@ inline void add_no_cell(CLI::App* c, bool& no_cell) {
               "let code that files bring do all that you may do: for machines that can't make cells");
 }
 
-// What is said of code that files bring.
-template <class Options>
-void add_cell(CLI::App* c, Options& o) {
-  add_no_cell(c, o.no_cell);
+// What the processes of robots with code of their own may use.
+inline void add_cell_limits(CLI::App* c, robot_host::Limits& limits) {
   c->add_option_function<std::uint32_t>(
        "--cell-memory",
-       [&o](const std::uint32_t& megabytes) { o.limits.memory = std::uint64_t{megabytes} << 20; },
+       [&limits](const std::uint32_t& megabytes) { limits.memory = std::uint64_t{megabytes} << 20; },
        "megabytes that a process with robots of such code may use")
-      ->default_str(std::to_string(o.limits.memory >> 20))
+      ->default_str(std::to_string(limits.memory >> 20))
       ->check(CLI::Range(64U, 1U << 24))
       ->type_name("MB");
-  c->add_option("--cell-time", o.limits.cycle, "processor time that such a robot may take for a cycle")
+  c->add_option("--cell-time", limits.cycle, "processor time that such a robot may take for a cycle")
       ->capture_default_str()
       ->check(refuse_unless_positive)
       ->check(CLI::Range(0.01, 86'400.0))
       ->type_name("SECONDS");
-  c->add_option("--cell-wait", o.limits.cycle_wall,
+  c->add_option("--cell-wait", limits.cycle_wall,
                 "time on the clock after which one that sleeps, or an executable, is not waited for any more")
       ->capture_default_str()
       ->check(refuse_unless_positive)
       ->check(CLI::Range(0.01, 86'400.0))
       ->type_name("SECONDS");
+}
+
+// What is said of code that files bring.
+template <class Options>
+void add_cell(CLI::App* c, Options& o) {
+  add_no_cell(c, o.no_cell);
+  add_cell_limits(c, o.limits);
 }
 
 inline void add_network(CLI::App* c, NetworkOptions& o) {

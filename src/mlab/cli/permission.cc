@@ -58,6 +58,16 @@ cell::Permission permission_to_carry(const AgentOptions& options) {
                                   cell::means());
 }
 
+cell::Permission permission_to_replay() {
+  return cell::Permission::decide({.purpose = Grounds::Purpose::kRun,
+                                   .people = Grounds::People::kHere,
+                                   .allows_native = false,
+                                   .without_cell = false,
+                                   .is_trusted = true,
+                                   .known = nullptr},
+                                  cell::means());
+}
+
 cell::Permission permission_to_run(const RunOptions& options, Grounds::People people,
                                    const std::string& folder) {
   const bool is_open = people == Grounds::People::kElsewhere && !options.allow_native;

@@ -36,8 +36,9 @@ std::optional<double> speed_of(const std::string& text, double default_speed) {
 
 // The files that the run leaves behind can be written, and nothing that it reads is among them.
 bool outputs_are_usable(const RunOptions& options) {
-  for (const auto& [option, file] : {std::pair("--report", options.report), std::pair("--plot", options.plot),
-                                     std::pair("--save-percepts", options.save_percepts)}) {
+  for (const auto& [option, file] :
+       {std::pair("--report", options.report), std::pair("--plot", options.plot),
+        std::pair("--save-percepts", options.save_percepts), std::pair("--record", options.record)}) {
     if (file.empty()) continue;
     for (const auto& [what, input] :
          {std::pair("mission", options.mission), std::pair("file of --environment", options.environment),
@@ -50,6 +51,16 @@ bool outputs_are_usable(const RunOptions& options) {
     }
     if (is_writable(file)) continue;
     usage_error(fmt::format("{} {}: the file can't be written", option, file));
+    return false;
+  }
+  std::error_code unknown;
+  if (!options.record.empty() && std::filesystem::exists(options.record, unknown)) {
+    usage_error(fmt::format(
+        "--record {}: there is such a file already, and a recording is never written over", options.record));
+    return false;
+  }
+  if (!options.record.empty() && !options.percepts.empty()) {
+    usage_error("--record and --percepts: what comes out of a file is not recorded once more");
     return false;
   }
   if (options.report.empty() || options.report != options.plot) return true;

@@ -17,6 +17,13 @@ namespace mlab::console {
 class SessionCore;
 class ToServer;
 
+/// Where its runs are recorded.
+struct RecordSettings {
+  bool is_on = false;
+  std::string folder;  ///< the shelf of the newest runs
+  std::string file;    ///< of the first run, in place of one on the shelf; empty: on the shelf, too
+};
+
 /// What a session is started with.
 struct SessionSettings {
   cell::Permission permission;               ///< whether code that files bring may be compiled, and run
@@ -34,6 +41,7 @@ struct SessionSettings {
   std::function<void(const std::string& why)> tell_not_kept = {};
   double speed = 10.0;  ///< simulated seconds per second; 0: as fast as it goes
   run::RunSettings run;
+  RecordSettings record = {};
 };
 
 /// One mission with its documents, its run, and the people who look at it. Has a thread of its own, on which

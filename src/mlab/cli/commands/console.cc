@@ -33,6 +33,7 @@
 #include "mlab/cli/output.h"
 #include "mlab/cli/permission.h"
 #include "mlab/cli/run_settings.h"
+#include "mlab/cli/runs_folder.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/console.pb.h"
@@ -251,6 +252,8 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.in_own_processes = options.robots == RobotsAt::kOwnProcesses;
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
+  const std::string project = documents::ProjectFolder({out.project_folder, ""}).folder();
+  out.record = {!options.no_record, runs_folder(project), options.record};
   return out;
 }
 

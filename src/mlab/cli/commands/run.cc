@@ -29,6 +29,7 @@
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/terminal_operator.h"
 #include "mlab/cli/version.h"
+#include "mlab/history/recorder.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/run/mission_run.h"
@@ -49,8 +50,9 @@ struct Prepared {
   std::unique_ptr<run::MissionRun> run;
   MissionClock clock;
   double speed = 0.0;
-  std::shared_ptr<run::StopLine> stop_line;  // null: there is none
-  text::Diagnostics warnings;                // of loading
+  std::shared_ptr<run::StopLine> stop_line;     // null: there is none
+  text::Diagnostics warnings;                   // of loading
+  std::unique_ptr<history::Recorder> recorder;  // null: the run is not recorded
 };
 
 std::shared_ptr<const mission::Mission> load(const RunOptions& options, const robot::ProgramSources& sources,
@@ -102,6 +104,25 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
     return std::nullopt;
   }
   return out;
+}
+
+void start_recording(const RunOptions& options, Prepared& prepared) {
+  if (options.record.empty()) return;
+  prepared.recorder = std::make_unique<history::Recorder>(
+      [file = options.record] { return file; }, *prepared.run,
+      history::Circumstances{kVersion, overlay_folders(), options.seed, wall_clock().epoch_seconds});
+}
+
+// @return  false: the recording is not whole, which is told
+bool end_recording(Prepared& prepared, const std::string& outcome) {
+  if (!prepared.recorder) return true;
+  prepared.recorder->end(outcome);
+  if (prepared.recorder->problem().empty()) {
+    fmt::print("recording: {}\n", prepared.recorder->path());
+    return true;
+  }
+  fmt::print(stderr, "mlab run: the recording is not whole: {}\n", prepared.recorder->problem());
+  return false;
 }
 
 /// Follows the emergency stop that the run shares with its fleet.
@@ -181,6 +202,7 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
     }
     stop.follow();
     const run::MissionRun::Progress progress = run.step();
+    if (prepared.recorder && progress == run::MissionRun::Progress::kStepped) prepared.recorder->note_cycle();
     if (run.is_stopped()) {
       const double before = steady_seconds();
       if (progress == run::MissionRun::Progress::kWaits) pass_time(0.05);
@@ -226,6 +248,7 @@ int run(const RunOptions& options) {
   int status = kDone;
   std::optional<Prepared> prepared = prepare(options, status);
   if (!prepared) return status;
+  start_recording(options, *prepared);
   run::MissionRun& run = *prepared->run;
   RunScreen screen(options.quiet);
   TerminalOperator person(run, screen);
@@ -233,6 +256,7 @@ int run(const RunOptions& options) {
   run.set_observer([&](const mission::Effect& effect) {
     screen.show(run, effect);
     person.see(effect);
+    if (prepared->recorder) prepared->recorder->see(effect);
   });
   run.set_meanwhile(was_interrupted);
   note_interrupts();
@@ -254,10 +278,11 @@ int run(const RunOptions& options) {
   screen.show_summary(run, outcome, performance.wall_seconds);
   screen.show_warnings(prepared->warnings);
   const bool is_as_recorded = prepared->bodies.conclude();
+  const bool is_recorded = end_recording(*prepared, outcome);
   if (!options.report.empty() && !deliver("report", options.report, run::report_json(run, performance, end)))
     return kFailed;
   if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;
-  return outcome == "done" && is_as_recorded ? kDone : kFailed;
+  return outcome == "done" && is_as_recorded && is_recorded ? kDone : kFailed;
 }
 
 }  // namespace mlab::cli

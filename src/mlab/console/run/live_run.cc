@@ -9,15 +9,42 @@
 #include "mlab/base/angle.h"
 #include "mlab/lang/mdl/options.h"
 #include "mlab/mission/command.h"
+#include "mlab/run/report.h"
 
 namespace mlab::console {
 
 using mission::effect::Tell;
 
-LiveRun::LiveRun(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run, EventLog& log)
-    : crew_(std::move(crew)), run_(std::move(run)), log_(log), options_(run_->mission().options) {
+LiveRun::LiveRun(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run, EventLog& log,
+                 std::unique_ptr<history::Recorder> recorder)
+    : crew_(std::move(crew)),
+      run_(std::move(run)),
+      log_(log),
+      recorder_(std::move(recorder)),
+      options_(run_->mission().options) {
   run_->set_observer([this](const mission::Effect& effect) { see(effect); });
   for (const mission::Print& wanted : run_->mission().prints) print(wanted.robot_info);
+}
+
+LiveRun::~LiveRun() {
+  if (recorder_) recorder_->end(run::outcome_name(*run_, run::RunEnd::kInterrupted));
+}
+
+// When there is one, and when it does not go on.
+void LiveRun::tell_recording() {
+  if (const std::string path = recorder_->path(); path != told_path_) {
+    told_path_ = path;
+    log_.add(run_->time(), {Log::MESSAGE, fmt::format("this run is recorded in {}", path), 0, "", {}, false});
+  }
+  if (const std::string problem = recorder_->problem(); problem != told_problem_) {
+    told_problem_ = problem;
+    log_.add(run_->time(), {Log::WARNING,
+                            fmt::format("the recording of this run does not go on: {}", problem),
+                            0,
+                            "",
+                            {},
+                            true});
+  }
 }
 
 void LiveRun::edit(std::shared_ptr<const run::Crew> crew) {
@@ -37,6 +64,10 @@ std::expected<run::Takeover, std::string> LiveRun::take_over(std::shared_ptr<con
 
 run::MissionRun::Progress LiveRun::step() {
   const run::MissionRun::Progress progress = run_->step();
+  if (recorder_) {
+    if (progress == run::MissionRun::Progress::kStepped) recorder_->note_cycle();
+    tell_recording();
+  }
   estimates_.look(run_->state());
   if (progress != run::MissionRun::Progress::kStepped) return progress;
   alarms_.look(*run_, log_);
@@ -53,6 +84,7 @@ bool LiveRun::was_started() const {
 
 void LiveRun::see(const mission::Effect& effect) {
   has_news_ = true;
+  if (recorder_) recorder_->see(effect);
   if (const auto* told = std::get_if<Tell>(&effect)) tell(*told);
   if (const auto* ask = std::get_if<mission::effect::Ask>(&effect)) {
     asked_[ask->question] = run_->time();

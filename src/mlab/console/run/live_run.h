@@ -15,6 +15,7 @@
 #include "mlab/console/run/series_recorder.h"
 #include "mlab/console/run/trail_recorder.h"
 #include "mlab/console/run/transition_recorder.h"
+#include "mlab/history/recorder.h"
 #include "mlab/run/mission_run.h"
 
 namespace mlab::console {
@@ -23,8 +24,11 @@ namespace mlab::console {
 /// many people looking is the same as one with nobody.
 class LiveRun {
  public:
-  /// @param log  outlives it
-  LiveRun(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run, EventLog& log);
+  /// @param log       outlives it
+  /// @param recorder  of this run; null: it is not recorded
+  LiveRun(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run, EventLog& log,
+          std::unique_ptr<history::Recorder> recorder = nullptr);
+  ~LiveRun();
   LiveRun(const LiveRun&) = delete;
   LiveRun& operator=(const LiveRun&) = delete;
 
@@ -62,10 +66,14 @@ class LiveRun {
   void see(const mission::Effect& effect);
   void tell(const mission::effect::Tell& told);
   void print(bool robot_info);
+  void tell_recording();
 
   std::shared_ptr<const run::Crew> crew_;
   std::unique_ptr<run::MissionRun> run_;
   EventLog& log_;
+  std::unique_ptr<history::Recorder> recorder_;  // ends before the run
+  std::string told_path_;                        // of the recording,
+  std::string told_problem_;                     // and what is wrong with it
   Alarms alarms_;
   Estimates estimates_;
   TrailRecorder trails_;

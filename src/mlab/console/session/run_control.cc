@@ -31,13 +31,14 @@ RunControl::~RunControl() {
 
 // ---- which run
 
-void RunControl::adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run) {
+void RunControl::adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run,
+                       std::unique_ptr<history::Recorder> recorder) {
   is_expected_ = false;
   breakpoints_.begin(nullptr);
   if (live_) release_held();
   live_.reset();
   if (run) {
-    live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_);
+    live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_, std::move(recorder));
     if (live_->run().is_in_real_time()) pace_.set_speed(1.0, wall_time(), sim_time());
     live_->run().set_stands_still_for_operator(pace_.speed() == 0.0);
     live_->run().set_emergency_stop(is_stopped_);

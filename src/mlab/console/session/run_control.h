@@ -41,7 +41,9 @@ class RunControl {
   void expect() { is_expected_ = true; }
   bool is_expected() const { return is_expected_; }
   /// Takes the place of the run before; null: there is none any more.
-  void adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run);
+  /// @param recorder  as LiveRun
+  void adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run,
+             std::unique_ptr<history::Recorder> recorder = nullptr);
   /// The run goes on with other robots or another plan.
   void exchange(std::shared_ptr<const run::Crew> crew);
   /// The run goes on with other programs. @errors  why it can't

@@ -1,6 +1,7 @@
 #include "mlab/console/session/run_maker.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -33,6 +34,11 @@ std::string root_of(const std::string& mission_folder, const SessionSettings& se
   return mission_folder;
 }
 
+// Seconds since 1970-01-01 00:00 UTC.
+double system_time() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 bool is_value_of_option(const std::vector<mission::Command>& commands) {
   return commands.size() == 1 && (std::holds_alternative<mission::SetBoolean>(commands[0]) ||
                                   std::holds_alternative<mission::SetNumber>(commands[0]));
@@ -48,6 +54,7 @@ RunMaker::RunMaker(const Parts& parts, std::function<bool()> meanwhile)
       log_(parts.log),
       inbox_(parts.inbox),
       meanwhile_(std::move(meanwhile)),
+      shelf_(settings_.record.folder),
       seed_(parts.settings.run.seed),
       workshop_(std::make_unique<Workshop>()) {}
 
@@ -202,11 +209,31 @@ void RunMaker::load(std::uint64_t seed, const CrewPtr& known) {
 void RunMaker::adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run,
                      const text::Diagnostics& problems) {
   report_problems(problems);
-  if (run) run->set_meanwhile(meanwhile_);
-  run_.adopt(crew, std::move(run));
+  std::unique_ptr<history::Recorder> recorder;
+  if (run) {
+    run->set_meanwhile(meanwhile_);
+    recorder = recorder_of(*run);
+  }
+  run_.adopt(crew, std::move(run), std::move(recorder));
   parameters_.apply_all();
   if (trial_done_ && executes_trial_ && !run_.why_not_now()) run_.post(mission::event::Execute{});
   answer_trial(run_.live() != nullptr ? "" : "it can't run: it has errors", problems);
+}
+
+// Null: runs are not recorded.
+std::unique_ptr<history::Recorder> RunMaker::recorder_of(run::MissionRun& run) {
+  if (!settings_.record.is_on) return nullptr;
+  const auto place = [this, mission = run.mission().source
+                                          ? run.mission().source->name()
+                                          : std::string()]() -> std::expected<std::string, std::string> {
+    if (!settings_.record.file.empty() && !std::exchange(has_named_recording_, true))
+      return settings_.record.file;
+    return shelf_.place_for(mission, system_time());
+  };
+  return std::make_unique<history::Recorder>(
+      place, run,
+      history::Circumstances{settings_.version, settings_.overlay_folders, documents_.load_options().seed,
+                             system_time()});
 }
 
 void RunMaker::report_problems(const text::Diagnostics& problems) {
@@ -309,7 +336,7 @@ Answered RunMaker::typed(const Sender& sender, const Typed& typed, Reply& reply)
     if (!change_mission(read->edited)) return "the mission is still being made ready";
     typed_edits_.push_back(typed.line());
   }
-  if (!read->commands.empty()) run_.post(mission::event::Typed{read->commands});
+  if (!read->commands.empty()) run_.post(mission::event::Typed{read->commands, typed.line()});
   return std::nullopt;
 }
 
@@ -325,7 +352,7 @@ Answered RunMaker::set_option(const Sender& sender, const SetOption& option) {
     if (!change_mission(read->edited)) return "the mission is still being made ready";
     typed_edits_.push_back(line);
   }
-  run_.post(mission::event::Typed{read->commands});
+  run_.post(mission::event::Typed{read->commands, line});
   run_.note(sender.client.name, line);
   return std::nullopt;
 }

@@ -14,6 +14,8 @@
 #include "mlab/console/session/robot_parameters.h"
 #include "mlab/console/session/run_control.h"
 #include "mlab/console/workshop.h"
+#include "mlab/history/recorder.h"
+#include "mlab/history/shelf.h"
 
 namespace mlab::console {
 
@@ -68,6 +70,7 @@ class RunMaker {
 
   /// @param known  programs that need not be built again; null: none
   void load(std::uint64_t seed, const CrewPtr& known = nullptr);
+  std::unique_ptr<history::Recorder> recorder_of(run::MissionRun& run);
   bool are_programs_old() const { return made_of_ != files_; }
   void adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run, const text::Diagnostics& problems);
   void take_over(const Trial& trial, const TrialDone& done);
@@ -91,6 +94,8 @@ class RunMaker {
   EventLog& log_;
   Inbox& inbox_;
   const std::function<bool()> meanwhile_;
+  const history::Shelf shelf_;
+  bool has_named_recording_ = false;  // the first run is recorded in the file that was named
 
   /// Number of the last load or change of the mission; what older ones bring is thrown away.
   std::atomic<std::uint64_t> number_ = 0;

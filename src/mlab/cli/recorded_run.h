@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mlab/cli/commands.h"
+#include "mlab/history/replay.h"
+
+namespace mlab::cli {
+
+/// A recorded run that is computed again.
+struct RecordedRun {
+  std::shared_ptr<const history::History> history;  ///< null: it can't be read, which was told
+  std::unique_ptr<history::Replay> replay;          ///< null: it can't be computed again, which was told
+};
+
+/// Reads the recording, and tells on standard error what is wrong with it. How it was recorded by another
+/// program, or on another machine, and how far it can be read, is told as well.
+RecordedRun open_recording(const ReplayOptions& options);
+
+/// What became of a run that was computed again, as a line; what is not as it was comes first.
+std::string outcome_of(const history::Replay& replay);
+
+}  // namespace mlab::cli

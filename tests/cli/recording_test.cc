@@ -1,0 +1,88 @@
+// Recordings of runs, as who types the commands meets them.
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "command.h"
+
+namespace mlab {
+namespace {
+
+class RecordingCommand : public Command {
+ protected:
+  void SetUp() override {
+    Command::SetUp();
+    write("map.odl", kMap);
+    write("mission.mdl", kMission);
+  }
+  void record() {
+    const Outcome run = mlab("run mission.mdl --headless --record run.mcap --report then.json");
+    ASSERT_EQ(run.status, 0) << run.out << run.err;
+    EXPECT_TRUE(has(run.out, "recording: run.mcap")) << run.out;
+  }
+};
+
+TEST_F(RecordingCommand, AreComputedAgainWithoutTheFilesThatTheyWereMadeFrom) {
+  record();
+  fs::remove(folder_ / "mission.mdl");
+  fs::remove(folder_ / "map.odl");
+  const Outcome again = mlab("replay run.mcap --report now.json --threads 2");
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_TRUE(has(again.out, "as recorded: ")) << again.out;
+  EXPECT_FALSE(has(again.out, "not as recorded")) << again.out;
+  const auto without_performance = [](const std::string& report) {
+    return report.substr(0, report.find("\"performance\""));
+  };
+  EXPECT_EQ(without_performance(text_of(folder_ / "then.json")),
+            without_performance(text_of(folder_ / "now.json")));
+}
+
+TEST_F(RecordingCommand, GiveTheValueOfAnyPortInAnyCycle) {
+  record();
+  const Outcome trace =
+      mlab("trace run.mcap --robot 1 --ports 'to_goal*' --ports noise.x --from 1 --to 2 --every 5");
+  EXPECT_EQ(trace.status, 0) << trace.err;
+  EXPECT_TRUE(
+      trace.out.starts_with("cycle,time,robot,x,y,heading,noise.x,to_goal.x,to_goal.y,to_goal.z\n10,1,1,"))
+      << trace.out;
+  EXPECT_TRUE(has(trace.out, "\n20,2,1,")) << trace.out;
+  EXPECT_FALSE(has(trace.out, "\n25,")) << trace.out;
+  EXPECT_EQ(mlab("trace run.mcap --robot 9").status, 2);
+  const Outcome none = mlab("trace run.mcap --ports nosuch");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_TRUE(has(none.err, "no port of these robots matches")) << none.err;
+}
+
+TEST_F(RecordingCommand, AreNeverWrittenOver) {
+  record();
+  const Outcome again = mlab("run mission.mdl --headless --record run.mcap");
+  EXPECT_EQ(again.status, 2);
+  EXPECT_TRUE(has(again.err, "a recording is never written over")) << again.err;
+  EXPECT_EQ(mlab("replay run.mcap --quiet").status, 0);
+}
+
+TEST_F(RecordingCommand, ThatAreNoneAreBadInput) {
+  write("text.mcap", "MISSION NAME x\n");
+  const Outcome text = mlab("replay text.mcap");
+  EXPECT_EQ(text.status, 2);
+  EXPECT_TRUE(has(text.err, "[no-mcap]")) << text.err;
+  EXPECT_EQ(mlab("replay nosuch.mcap").status, 2);
+  EXPECT_EQ(mlab("trace text.mcap").status, 2);
+  const Outcome none = mlab("replay");
+  EXPECT_EQ(none.status, 0);
+  EXPECT_TRUE(has(none.out, "No run of the project")) << none.out;
+}
+
+TEST_F(RecordingCommand, ThatWereCutOffAreShownUpToThere) {
+  record();
+  fs::resize_file(folder_ / "run.mcap", fs::file_size(folder_ / "run.mcap") - 40);
+  const Outcome cut = mlab("replay run.mcap --quiet");
+  EXPECT_EQ(cut.status, 0) << cut.err;
+  EXPECT_TRUE(has(cut.err, "readable up to byte ")) << cut.err;
+  EXPECT_TRUE(has(cut.out, "as recorded: ")) << cut.out;
+}
+
+}  // namespace
+}  // namespace mlab
