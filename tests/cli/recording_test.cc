@@ -1,6 +1,8 @@
 // Recordings of runs, as who types the commands meets them.
 
+#include <cstdint>
 #include <filesystem>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -73,6 +75,27 @@ TEST_F(RecordingCommand, ThatAreNoneAreBadInput) {
   const Outcome none = mlab("replay");
   EXPECT_EQ(none.status, 0);
   EXPECT_TRUE(has(none.out, "No run of the project")) << none.out;
+}
+
+// Whatever moment that is, what stands is a run, and it is the same one.
+TEST_F(RecordingCommand, OfRunsThatWereKilledAreComputedAgain) {
+  const std::uint32_t seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  int recordings = 0;
+  for (int kill = 0; kill < 8; ++kill) {
+    fs::remove(folder_ / "run.mcap");
+    const double after = std::uniform_real_distribution<double>(0.05, 1.5)(random);
+    mlab("run '" + kMissions + "demo_c/demo_c.mdl' --headless --proceed --speed 100 --record run.mcap",
+         "timeout -s KILL " + std::to_string(after));
+    if (!fs::exists(folder_ / "run.mcap")) continue;
+    const Outcome again = mlab("replay run.mcap --quiet");
+    if (has(again.err, "[no-recording]") || has(again.err, "[no-mcap]")) continue;  // nothing had begun
+    ++recordings;
+    EXPECT_EQ(again.status, 0) << again.out << again.err;
+    EXPECT_TRUE(has(again.out, "as recorded: ")) << again.out << again.err;
+  }
+  EXPECT_GT(recordings, 0);
 }
 
 TEST_F(RecordingCommand, ThatWereCutOffAreShownUpToThere) {

@@ -253,7 +253,9 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
   const std::string project = documents::ProjectFolder({out.project_folder, ""}).folder();
-  out.record = {!options.no_record, runs_folder(project), options.record};
+  const std::string runs = runs_folder(project);
+  const bool has_place = !runs.empty() || !options.record.empty();
+  out.record = {!options.no_record && has_place, runs, options.record};
   return out;
 }
 
