@@ -43,8 +43,17 @@ export class Console {
     const button = this.page
       .getByRole("navigation", { name: /^Panels/ })
       .getByRole("button", { name: new RegExp(`^${kRails[title] ?? title}( \\d+)?$`) });
-    if ((await button.getAttribute("aria-pressed")) !== "true") await button.click();
-    await panel.waitFor();
+    // A page whose width has just changed may close it once more.
+    await expect
+      .poll(
+        async () => {
+          if (!(await panel.isVisible()) && (await button.getAttribute("aria-pressed")) !== "true")
+            await button.click();
+          return panel.isVisible();
+        },
+        { timeout: 60_000 },
+      )
+      .toBe(true);
     return panel;
   }
 
