@@ -1,0 +1,108 @@
+#include "mlab/study/toml_text.h"
+
+#include <cstdint>
+
+namespace mlab::study {
+namespace {
+
+constexpr std::string_view kQuotes = R"(""")";
+
+enum class In : std::uint8_t { kNothing, kComment, kText, kLiteral, kLines, kLiteralLines };
+
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_(text) {}
+
+  std::optional<std::size_t> run() {
+    if (is_here("\xef\xbb\xbf")) at_ = 3;  // that it is UTF-8
+    while (at_ < text_.size()) {
+      const bool is_ascii = static_cast<unsigned char>(text_[at_]) < 0x80;
+      if (!is_ascii && (in_ == In::kNothing || (in_ == In::kLines && is_behind_slash_))) return at_;
+      step(text_[at_]);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool is_here(std::string_view words) const { return text_.substr(at_).starts_with(words); }
+  void go_on(In in, std::size_t bytes) {
+    in_ = in;
+    at_ += bytes;
+  }
+
+  void step(char c) {
+    switch (in_) {
+      case In::kNothing:
+        begin(c);
+        return;
+      case In::kComment:
+        go_on(ends_line(c) ? In::kNothing : In::kComment, 1);
+        return;
+      case In::kText:
+        end_of_one_line(c, '"');
+        return;
+      case In::kLiteral:
+        end_of_one_line(c, '\'');
+        return;
+      case In::kLines:
+        end_of_lines(c, kQuotes);
+        return;
+      case In::kLiteralLines:
+        end_of_lines(c, "'''");
+        return;
+    }
+  }
+
+  void begin(char c) {
+    is_behind_slash_ = false;
+    if (c == '#')
+      go_on(In::kComment, 1);
+    else if (is_here(kQuotes))
+      go_on(In::kLines, 3);
+    else if (is_here("'''"))
+      go_on(In::kLiteralLines, 3);
+    else
+      go_on(c == '"' ? In::kText : c == '\'' ? In::kLiteral : In::kNothing, 1);
+  }
+
+  // Some take more than `\n` for the end of a line.
+  bool ends_line(char c) const {
+    return (c >= '\n' && c <= '\r') || is_here("\xc2\x85") || is_here("\xe2\x80\xa8") ||
+           is_here("\xe2\x80\xa9");
+  }
+
+  // What is not closed at the end of its line is an error, and nothing behind it is read.
+  void end_of_one_line(char c, char quote) {
+    if (c == '\\' && in_ == In::kText)
+      go_on(in_, 2);
+    else
+      go_on(c == quote || c == '\n' ? In::kNothing : in_, 1);
+  }
+
+  void end_of_lines(char c, std::string_view quotes) {
+    if (in_ == In::kLines && is_behind_slash_ && c != ' ' && c != '\t' && (c < '\n' || c > '\r')) {
+      is_behind_slash_ = false;  // it is what the `\` stands before
+      go_on(in_, 1);
+    } else if (in_ == In::kLines && c == '\\') {
+      is_behind_slash_ = true;
+      go_on(in_, 1);
+    } else if (is_here(quotes)) {
+      go_on(In::kNothing, 3);
+    } else {
+      go_on(in_, 1);
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  In in_ = In::kNothing;
+  bool is_behind_slash_ = false;
+};
+
+}  // namespace
+
+std::optional<std::size_t> stray_character(std::string_view text) {
+  return Scanner(text).run();
+}
+
+}  // namespace mlab::study
