@@ -155,14 +155,13 @@ bool is_study_file(const std::string& path) {
 bool read_study(const text::SourcePtr& source, Definition& definition, text::Diagnostics& sink) {
   const std::size_t before = sink.error_count();
   StudyReader reader(source, definition, sink);
-  if (const auto stray = stray_character(source->text())) {
-    std::size_t end = *stray + 1;
+  if (const std::optional<Unfit> unfit = unfit_place(source->text())) {
+    std::size_t end = unfit->at + 1;
     while (end < source->text().size() && (static_cast<unsigned char>(source->text()[end]) & 0xc0U) == 0x80U)
       ++end;
-    sink.error(
-        "no-toml", {source, {static_cast<std::uint32_t>(*stray), static_cast<std::uint32_t>(end)}},
-        fmt::format("`{}` can't stand here: characters beyond ASCII are in comments and in quotes only",
-                    text::shown(source->text().substr(*stray, end - *stray))));
+    sink.error("no-toml", {source, {static_cast<std::uint32_t>(unfit->at), static_cast<std::uint32_t>(end)}},
+               fmt::format("`{}` can't stand here: {}",
+                           text::shown(source->text().substr(unfit->at, end - unfit->at)), unfit->why));
     return false;
   }
   toml::parse_result parsed = toml::parse(source->text(), std::string_view(source->name()));

@@ -13,11 +13,13 @@ class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
 
-  std::optional<std::size_t> run() {
+  std::optional<Unfit> run() {
     if (is_here("\xef\xbb\xbf")) at_ = 3;  // that it is UTF-8
     while (at_ < text_.size()) {
       const bool is_ascii = static_cast<unsigned char>(text_[at_]) < 0x80;
-      if (!is_ascii && (in_ == In::kNothing || (in_ == In::kLines && is_behind_slash_))) return at_;
+      if (!is_ascii && (in_ == In::kNothing || (in_ == In::kLines && is_behind_slash_)))
+        return Unfit{at_, "characters beyond ASCII are in comments and in quotes only"};
+      if (const auto head = head_without_key()) return Unfit{*head, "a table's head has a key behind `[`"};
       step(text_[at_]);
     }
     return std::nullopt;
@@ -30,12 +32,31 @@ class Scanner {
     at_ += bytes;
   }
 
+  // The place behind a `[` at the begin of a line, where no key stands.
+  std::optional<std::size_t> head_without_key() {
+    if (in_ != In::kNothing) return std::nullopt;
+    const char c = text_[at_];
+    const bool is_first = is_line_fresh_;
+    is_line_fresh_ = ends_line(c) || (is_first && (c == ' ' || c == '\t'));
+    if (c != '[' || !is_first) return std::nullopt;
+    std::size_t behind = at_ + (is_here("[[") ? 2 : 1);
+    while (behind < text_.size() && (text_[behind] == ' ' || text_[behind] == '\t')) ++behind;
+    if (behind >= text_.size() || begins_key(text_[behind])) return std::nullopt;
+    return behind;
+  }
+
+  static bool begins_key(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '"' || c == '\'';
+  }
+
   void step(char c) {
     switch (in_) {
       case In::kNothing:
         begin(c);
         return;
       case In::kComment:
+        is_line_fresh_ = ends_line(c);
         go_on(ends_line(c) ? In::kNothing : In::kComment, 1);
         return;
       case In::kText:
@@ -75,8 +96,10 @@ class Scanner {
   void end_of_one_line(char c, char quote) {
     if (c == '\\' && in_ == In::kText)
       go_on(in_, 2);
-    else
+    else {
+      is_line_fresh_ = c == '\n';
       go_on(c == quote || c == '\n' ? In::kNothing : in_, 1);
+    }
   }
 
   void end_of_lines(char c, std::string_view quotes) {
@@ -97,11 +120,12 @@ class Scanner {
   std::size_t at_ = 0;
   In in_ = In::kNothing;
   bool is_behind_slash_ = false;
+  bool is_line_fresh_ = true;  // nothing but white space stands in it yet
 };
 
 }  // namespace
 
-std::optional<std::size_t> stray_character(std::string_view text) {
+std::optional<Unfit> unfit_place(std::string_view text) {
   return Scanner(text).run();
 }
 
