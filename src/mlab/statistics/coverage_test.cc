@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/base/random.h"
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/statistics/shares.h"
 
 // What intervals promise, tried by simulation. Each test prints its seed.
@@ -81,7 +82,7 @@ TEST(Coverage, ClopperPearsonHoldsWhereItIsLookedAtOnce) {
 }
 
 TEST(Coverage, ConfidenceSequenceHoldsHoweverOftenItIsLookedAt) {
-  constexpr int kSequences = 4000;
+  constexpr int kSequences = base::kIsSlowBuild ? 500 : 4000;
   constexpr std::uint64_t kTrials = 1000;
   for (const double confidence : {0.9, 0.95, 0.99}) {
     const double threshold = -std::log1p(-confidence);
@@ -101,7 +102,7 @@ TEST(Coverage, ConfidenceSequenceHoldsHoweverOftenItIsLookedAt) {
 }
 
 TEST(Coverage, ClopperPearsonDoesNotHoldWhereItIsLookedAtAgainAndAgain) {
-  constexpr int kSequences = 4000;
+  constexpr int kSequences = base::kIsSlowBuild ? 500 : 4000;
   constexpr std::uint64_t kTrials = 200;
   constexpr double kShare = 0.5;
   for (const double confidence : {0.95, 0.99}) {
