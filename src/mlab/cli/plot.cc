@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/text/escape.h"
 
 namespace mlab::cli {
 namespace {
@@ -41,29 +42,6 @@ View view_of(const run::MissionRun& run, const std::vector<std::vector<geom::Poi
   return view;
 }
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
-
 std::string points_of(const View& view, const std::vector<geom::Point>& points) {
   std::string out;
   for (const geom::Point p : points)
@@ -73,7 +51,7 @@ std::string points_of(const View& view, const std::vector<geom::Point>& points) 
 
 std::string label(const View& view, geom::Point at, double below, std::string_view text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"label\">{}</text>\n", view.x(at),
-                     view.y(at) + below, escaped(text));
+                     view.y(at) + below, text::markup(text));
 }
 
 bool is_area(overlay::MeasureKind kind) {
@@ -153,7 +131,7 @@ std::string Plot::svg(const run::MissionRun& run) const {
       "height=\"{1:.0f}\">\n",
       view.width(), view.height());
   out += kStyle;
-  out += fmt::format("<title>{}</title>\n", escaped(run.mission().name));
+  out += fmt::format("<title>{}</title>\n", text::markup(run.mission().name));
   for (const overlay::ControlMeasure& measure : run.mission().overlay.measures) {
     if (!measure.points.empty()) out += measure_svg(view, measure);
   }

@@ -18,9 +18,9 @@
 
 #include "mlab/base/random.h"
 #include "mlab/base/testing/source_folder.h"
-#include "mlab/study/charts.h"
 #include "mlab/study/page.h"
 #include "mlab/study/table.h"
+#include "mlab/text/escape.h"
 
 // Batches of a mission of ours, in this process.
 namespace mlab::study {
@@ -234,7 +234,7 @@ TEST(Tables, AndPagesSayTheSame) {
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("http:"), std::string::npos);
   EXPECT_EQ(page.find("https:"), std::string::npos);
-  EXPECT_NE(page.find(escaped(summary.failures[0].command)), std::string::npos);
+  EXPECT_NE(page.find(text::markup(summary.failures[0].command)), std::string::npos);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "mlab/study/words.h"
+#include "mlab/text/escape.h"
 
 namespace mlab::study {
 namespace {
@@ -18,8 +19,8 @@ std::string row_of(const std::string& label, bool is_second, std::string_view sa
   return fmt::format(R"(<div class="row{}"><div class="label">{}</div><svg viewBox="0 0 1000 {}" )"
                      R"(preserveAspectRatio="none" )"
                      "role=\"img\" aria-label=\"{}\">{}</svg><div class=\"figure\">{}</div></div>\n",
-                     is_second ? " second" : "", escaped(label), kHeight, escaped(said), drawing,
-                     escaped(figure));
+                     is_second ? " second" : "", text::markup(label), kHeight, text::markup(said), drawing,
+                     text::markup(figure));
 }
 
 std::string grid(const Axis& axis) {
@@ -29,29 +30,6 @@ std::string grid(const Axis& axis) {
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
-    }
-  }
-  return out;
-}
 
 double Axis::at(double value) const {
   return high > low ? 1000.0 * std::clamp((value - low) / (high - low), 0.0, 1.0) : 500.0;
@@ -87,7 +65,7 @@ std::string axis_row(const Axis& axis) {
     // The outermost ones stay within.
     const int shift = at < 2.0 ? 0 : at > 98.0 ? -100 : -50;
     out += fmt::format(R"mark(<span style="left:{:.1f}%;transform:translateX({}%)">{}</span>)mark", at, shift,
-                       escaped(mark));
+                       text::markup(mark));
   }
   return out + "</div><div class=\"figure\"></div></div>\n";
 }
@@ -138,12 +116,12 @@ std::string table(std::string_view caption, const std::vector<std::vector<std::s
                   std::size_t left_columns) {
   std::string out = fmt::format(R"(<div class="scroll" tabindex="0" role="region" )"
                                 "aria-label=\"{0}\"><table><caption>{0}</caption>\n",
-                                escaped(caption));
+                                text::markup(caption));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     out += i == 0 ? "<thead><tr>" : i == 1 ? "<tbody>\n<tr>" : "<tr>";
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
       const char* const side = k < left_columns ? R"( class="left")" : "";
-      const std::string cell = escaped(rows[i][k]);
+      const std::string cell = text::markup(rows[i][k]);
       if (i == 0)
         out += fmt::format(R"(<th scope="col"{}>{}</th>)", side, cell);
       else if (k == 0)

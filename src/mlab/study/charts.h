@@ -13,9 +13,6 @@
 // page's own, so that they stay readable however narrow it is.
 namespace mlab::study {
 
-/// As text of a page, also between the quotes of an attribute.
-std::string escaped(std::string_view text);
-
 /// Where an axis begins and ends, and what stands at it.
 struct Axis {
   double low = 0.0;

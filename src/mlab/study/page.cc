@@ -10,6 +10,7 @@
 #include "mlab/base/counted.h"
 #include "mlab/study/charts.h"
 #include "mlab/study/words.h"
+#include "mlab/text/escape.h"
 
 namespace mlab::study {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::size_t kMostBins = 40;   // of a distribution
 constexpr std::size_t kMostPieces = 8;  // of the range of a drawn value
 
 std::string heading_of(std::string_view text) {
-  return fmt::format("<h2>{}</h2>\n", escaped(text));
+  return fmt::format("<h2>{}</h2>\n", text::markup(text));
 }
 
 /// Builds the page, piece by piece.
@@ -38,7 +39,7 @@ class PageMaker {
         R"(content="default-src 'none'; style-src )"
         "'unsafe-inline'\">\n<title>{}</title>\n<style>{}</style>\n</head>\n"
         "<body>\n<main>\n<h1>{}</h1>\n",
-        escaped(title), page_style(), escaped(title));
+        text::markup(title), page_style(), text::markup(title));
     add_facts();
     add_verdicts();
     add_shares();
@@ -86,11 +87,11 @@ class PageMaker {
   void add_verdicts() {
     for (const Verdict& verdict : summary_.verdicts) {
       out_ += fmt::format(R"(<p><span class="{}">{}</span>: {})", verdict.is_met() ? "good" : "bad",
-                          verdict.is_met() ? "Met" : "Not met", escaped(verdict.requirement->text));
+                          verdict.is_met() ? "Met" : "Not met", text::markup(verdict.requirement->text));
       for (std::size_t i = 0; i < std::min<std::size_t>(verdict.unmet.size(), 5); ++i) {
         const std::uint32_t combination = verdict.unmet[i];
         const std::string set = text_of(plan_.settings(combination));
-        out_ += fmt::format("{}{}{}", i == 0 ? " (" : "; ", set.empty() ? "" : escaped(set) + ": ",
+        out_ += fmt::format("{}{}{}", i == 0 ? " (" : "; ", set.empty() ? "" : text::markup(set) + ": ",
                             percents(verdict.intervals[combination]));
       }
       if (verdict.unmet.size() > 5) out_ += fmt::format("; and {} more", verdict.unmet.size() - 5);
@@ -101,7 +102,7 @@ class PageMaker {
   void add_shares() {
     out_ += heading_of("Success");
     out_ += fmt::format("<p class=\"faint\">The share of runs that succeed ({}), with {}.</p>\n",
-                        escaped(definition_.success ? definition_.success->text() : "outcome == done"),
+                        text::markup(definition_.success ? definition_.success->text() : "outcome == done"),
                         interval_words());
     const Axis axis = share_axis();
     for (const CellSummary* cell : drawn_cells())
@@ -143,7 +144,7 @@ class PageMaker {
         "by Wilcoxon's signed ranks: p is how likely a difference at least so large is by chance alone. "
         "Differences "
         "are those of {} less {}.</p>\n",
-        escaped(definition_.mission.text), escaped(definition_.against.text));
+        text::markup(definition_.mission.text), text::markup(definition_.against.text));
     const std::vector<NumberInfo> numbers = shown_numbers();
     std::vector<std::vector<std::string>> rows = {
         {"combination", "number", "pairs", "different", "mean difference", "median difference", "p"}};
@@ -179,7 +180,7 @@ class PageMaker {
       }
       if (ends.empty()) continue;
       const auto [low, high] = std::ranges::minmax(ends);
-      out_ += fmt::format("<h3>{}</h3>\n", escaped(heading(numbers[i])));
+      out_ += fmt::format("<h3>{}</h3>\n", text::markup(heading(numbers[i])));
       if (low == high) {
         out_ += fmt::format("<p>{} in all runs.</p>\n", brief(low));
         continue;
@@ -240,8 +241,9 @@ class PageMaker {
       const std::string set = text_of(plan_.settings(group.first));
       out_ += fmt::format(
           "<li><strong>{}</strong>: {}<br><span class=\"faint\">seed {}{}{}: {}</span><code>{}</code></li>\n",
-          base::counted(group.count, "run"), escaped(group.cause), plan_.seed(group.first.run),
-          set.empty() ? "" : ", ", escaped(set), escaped(group.message), escaped(group.command));
+          base::counted(group.count, "run"), text::markup(group.cause), plan_.seed(group.first.run),
+          set.empty() ? "" : ", ", text::markup(set), text::markup(group.message),
+          text::markup(group.command));
     }
     out_ += "</ol>\n";
   }
@@ -268,7 +270,7 @@ class PageMaker {
     out_ += "</dl>\n";
   }
   void fact(std::string_view name, std::string_view value) {
-    out_ += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(value));
+    out_ += fmt::format("<dt>{}</dt><dd>{}</dd>\n", text::markup(name), text::markup(value));
   }
 
   const Batch& batch_;

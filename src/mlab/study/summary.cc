@@ -8,6 +8,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/text/shell_word.h"
+
 namespace mlab::study {
 namespace {
 
@@ -76,16 +78,6 @@ Verdict verdict_on(const Requirement& requirement, const Batch& batch, const Def
   return out;
 }
 
-// As a shell takes it for one word.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
 }  // namespace
 
 std::vector<NumberInfo> shown_numbers() {
@@ -123,15 +115,18 @@ Summary summary_of(const Batch& batch, const Definition& definition, const Plan&
 }
 
 std::string command_of(const RunKey& key, const Definition& definition, const Plan& plan) {
-  std::string out = fmt::format("mlab run {} --headless --proceed --seed {}",
-                                quoted(key.version == 0 ? definition.mission.text : definition.against.text),
-                                plan.seed(key.run));
-  for (const mdl::Setting& one : plan.settings(key)) out += " --set " + quoted(one.name + "=" + one.value);
-  if (!definition.start_time.empty()) out += " --start-time " + quoted(definition.start_time);
+  std::string out =
+      fmt::format("mlab run {} --headless --proceed --seed {}",
+                  text::shell_word(key.version == 0 ? definition.mission.text : definition.against.text),
+                  plan.seed(key.run));
+  for (const mdl::Setting& one : plan.settings(key))
+    out += " --set " + text::shell_word(one.name) + "=" + text::shell_word(one.value);
+  if (!definition.start_time.empty()) out += " --start-time " + text::shell_word(definition.start_time);
   if (definition.patience != Definition{}.patience) out += " --patience " + shortest(definition.patience);
   if (definition.duration) out += " --for " + shortest(*definition.duration);
   if (definition.limit) out += " --limit " + shortest(*definition.limit);
-  if (!definition.environment.empty()) out += " --environment " + quoted(definition.environment.text);
+  if (!definition.environment.empty())
+    out += " --environment " + text::shell_word(definition.environment.text);
   return out;
 }
 

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mlab/text/escape.h"
+
 namespace mlab::study {
 namespace {
 
@@ -51,16 +53,9 @@ std::vector<Column> columns_of(const Definition& definition, const Plan& plan) {
   return out;
 }
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 std::string csv_field(const Json& value) {
   if (value.is_null()) return {};
-  if (value.is_string()) return csv_field(value.get<std::string>());
+  if (value.is_string()) return text::csv_field(value.get<std::string>());
   if (value.is_number_float()) return shortest(value.get<double>());
   return value.dump();
 }
@@ -144,7 +139,8 @@ Json summary_json(const Summary& summary, const Definition& definition) {
 std::string csv_of(const Batch& batch, const Definition& definition, const Plan& plan) {
   const std::vector<Column> columns = columns_of(definition, plan);
   std::string out;
-  for (std::size_t i = 0; i < columns.size(); ++i) out += (i > 0 ? "," : "") + csv_field(columns[i].name);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    out += (i > 0 ? "," : "") + text::csv_field(columns[i].name);
   out += "\r\n";
   for (const Cell& cell : batch.cells()) {
     for (const Row& row : cell.rows) {
