@@ -65,6 +65,17 @@ TEST_F(RecordingCommand, AreNeverWrittenOver) {
   EXPECT_EQ(mlab("replay run.mcap --quiet").status, 0);
 }
 
+TEST_F(RecordingCommand, AreKeptWhereSomebodySaysSo) {
+  record();
+  EXPECT_EQ(mlab("replay run.mcap --keep").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "run.mcap.marked"));
+  EXPECT_EQ(mlab("replay run.mcap --no-keep").status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "run.mcap.marked"));
+  EXPECT_EQ(mlab("replay --keep").status, 2);
+  EXPECT_EQ(mlab("replay mission.mdl --keep").status, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "mission.mdl.marked"));
+}
+
 TEST_F(RecordingCommand, ThatAreNoneAreBadInput) {
   write("text.mcap", "MISSION NAME x\n");
   const Outcome text = mlab("replay text.mcap");

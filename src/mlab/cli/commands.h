@@ -84,6 +84,8 @@ struct ReplayOptions {
   std::string report;     ///< file; empty: none
   std::string project;    ///< folder; empty: the current one
   bool quiet = false;
+  bool keep = false;          ///< it is only marked: the console does not make room by it
+  bool no_keep = false;       ///< the mark is taken away
   robot_host::Limits limits;  ///< of robots with code of their own
   int threads = 1;
 };

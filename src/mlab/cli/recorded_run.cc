@@ -52,8 +52,11 @@ std::string outcome_of(const history::Replay& replay) {
   if (const auto& divergence = replay.divergence())
     return fmt::format("not as recorded: by cycle {} ({:.1f} s) {}", divergence->cycle, replay.run().time(),
                        divergence->why);
-  return fmt::format("as recorded: {}, compared at {}", base::counted(replay.run().cycle(), "cycle"),
-                     base::counted(replay.equal_marks(), "place"));
+  const std::string cycles = base::counted(replay.run().cycle(), "cycle");
+  if (replay.equal_marks() == 0)
+    return fmt::format("computed again: {}; the recording has nothing that they could be compared with",
+                       cycles);
+  return fmt::format("as recorded: {}, compared at {}", cycles, base::counted(replay.equal_marks(), "place"));
 }
 
 }  // namespace mlab::cli

@@ -40,6 +40,9 @@ void add_replay_options(CLI::App* c, ReplayOptions& o) {
   c->add_option("--project", o.project, "folder of the project whose runs are listed")
       ->check(CLI::ExistingDirectory)
       ->type_name("FOLDER");
+  auto* const keep =
+      c->add_flag("--keep", o.keep, "only mark it: it stays, however many runs the console records after it");
+  c->add_flag("--no-keep", o.no_keep, "take the mark away")->excludes(keep);
   c->add_flag("--quiet", o.quiet, "print only what became of it");
 }
 

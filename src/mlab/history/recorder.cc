@@ -39,6 +39,7 @@ void Recorder::begin_file() {
     return;
   }
   file_ = std::move(*file);
+  path_ = file_->path();
   for (const wire::HistoryEntry& entry : waiting) file_->put(entry);
 }
 

@@ -29,13 +29,17 @@ class Recorder {
 
   void see(const mission::Effect& effect) { writer_.see(effect); }
   void note_cycle() { writer_.note_cycle(); }
+  /// No time passes.
+  void note_rest() {
+    if (file_) file_->flush();
+  }
   /// The recording is complete. Without, it is one of a run that was cut off.
   void end(const std::string& outcome);
 
   /// Empty: nobody has started the run, or there is no place.
-  std::string path() const { return file_ ? file_->path() : ""; }
+  const std::string& path() const { return path_; }
   /// Why the recording does not go on, as a sentence; empty: it does.
-  std::string problem() const { return file_ ? file_->problem() : problem_; }
+  const std::string& problem() const { return file_ ? file_->problem() : problem_; }
 
  private:
   void put(const wire::HistoryEntry& entry);
@@ -45,7 +49,8 @@ class Recorder {
   const double started_at_;
   std::vector<wire::HistoryEntry> waiting_;  // until there is a file
   std::unique_ptr<RecordingWriter> file_;
-  std::string problem_;
+  std::string path_;
+  std::string problem_;  // where there is no file
   HistoryWriter writer_;
 };
 

@@ -1,8 +1,13 @@
 #include "mlab/history/recording_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -48,6 +53,15 @@ RecordingWriter::RecordingWriter(std::string path, double started_at, mcap::Writ
 
 text::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& path,
                                                                        double started_at) {
+  const int made = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (made < 0)
+    return std::unexpected(problem_with(
+        "can-not-write",
+        errno == EEXIST
+            ? fmt::format("`{}` is there already, and a recording is never written over", text::shown(path))
+            : fmt::format("`{}` can't be written: {}", text::shown(path),
+                          std::generic_category().message(errno))));
+  ::close(made);
   auto writer = mcap::Writer::create(path);
   if (!writer)
     return std::unexpected(
@@ -95,9 +109,15 @@ void RecordingWriter::put(const wire::HistoryEntry& entry) {
     note(written.error());
     return;
   }
-  const auto now = std::chrono::steady_clock::now();
-  if (!entry.has_input() && !entry.has_beginning() && now < flushed_ + kFlushed) return;
-  flushed_ = now;
+  is_flushed_ = false;
+  if (entry.has_input() || entry.has_beginning() || std::chrono::steady_clock::now() >= flushed_ + kFlushed)
+    flush();
+}
+
+void RecordingWriter::flush() {
+  if (is_flushed_ || !problem_.empty()) return;
+  is_flushed_ = true;
+  flushed_ = std::chrono::steady_clock::now();
   if (const auto flushed = writer_.flush(); !flushed) note(flushed.error());
 }
 

@@ -15,15 +15,17 @@
 namespace mlab::history {
 
 /// Writes a history to an MCAP file: a channel for each kind of entry, `/mlab/input`, `/mlab/poses`, ... What
-/// came in is in the file before it has any effect; all else at most a second later.
+/// came in is in the file before it has any effect; all else a second later at most, while time passes.
 class RecordingWriter {
  public:
-  /// Makes the file, or replaces the one that is there.
+  /// Makes the file. One that is there already is left alone.
   /// @param started_at  wall clock at run time 0, seconds since 1970-01-01 00:00 UTC
   static text::Result<std::unique_ptr<RecordingWriter>> create(const std::string& path, double started_at);
 
   /// After an error nothing more is written; what stands can be read.
   void put(const wire::HistoryEntry& entry);
+  /// No time passes: all that was put is in the file from now on.
+  void flush();
   /// Why the file does not go on, as a sentence; empty: it does.
   const std::string& problem() const { return problem_; }
   const std::string& path() const { return path_; }
@@ -43,6 +45,7 @@ class RecordingWriter {
   std::string bytes_;
   std::uint32_t count_ = 0;
   std::chrono::steady_clock::time_point flushed_;
+  bool is_flushed_ = true;  // nothing was put since
   std::string problem_;
 };
 

@@ -1,5 +1,6 @@
 #include "mlab/history/recording_file.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -115,16 +116,64 @@ TEST_F(RecordingFile, ThatIsCutOffAnywhereIsTheRunUpToThere) {
   EXPECT_GT(runs, 20U);
 }
 
+// No file of this process may be larger, as long as this is there.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
 TEST_F(RecordingFile, OnAFullDiskEndsAndTheRunGoesOn) {
   WrittenRun written("demo_c/demo_c.mdl", 4, true);
-  Recorder recorder([] { return std::string("/dev/full"); }, written.run(), {"test", {}, 5, 0.0});
+  Recorder recorder([this] { return path("run.mcap"); }, written.run(), {"test", {}, 5, 0.0});
   written.run().post(mission::event::Execute{});
-  for (int i = 0; i < 20; ++i) {
-    ASSERT_EQ(written.run().step(), run::MissionRun::Progress::kStepped);
+  ASSERT_EQ(recorder.problem(), "");
+  {
+    const SmallDisk disk(fs::file_size(path("run.mcap")) + 100);
+    for (int i = 0; i < 40; ++i) {
+      written.run().set_parameter({1}, "base_velocity", fmt::format("{}", 1 + i % 3));
+      ASSERT_EQ(written.run().step(), run::MissionRun::Progress::kStepped);
+      recorder.note_cycle();
+    }
+  }
+  EXPECT_NE(recorder.problem().find("does not go on"), std::string::npos) << recorder.problem();
+  EXPECT_EQ(written.run().cycle(), 40U);
+  const auto read = read_recording(path("run.mcap"));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_GE(read->history->inputs().size(), 1U) << "what stood before can be read";
+}
+
+TEST_F(RecordingFile, IsNeverWrittenOver) {
+  std::ofstream(path("run.mcap")) << "of somebody";
+  const auto writer = RecordingWriter::create(path("run.mcap"), 0.0);
+  ASSERT_FALSE(writer);
+  EXPECT_NE(writer.error().message.find("never written over"), std::string::npos) << writer.error().message;
+  EXPECT_EQ(fs::file_size(path("run.mcap")), 11U);
+}
+
+// A run that waits for its operator may be killed an hour later.
+TEST_F(RecordingFile, HasAllOnceNoTimePasses) {
+  WrittenRun written("demo_c/demo_c.mdl", 4, true);
+  Recorder recorder([this] { return path("run.mcap"); }, written.run(), {"test", {}, 5, 0.0});
+  written.run().post(mission::event::Execute{});
+  for (int i = 0; i < 150; ++i) {
+    written.run().step();
     recorder.note_cycle();
   }
-  EXPECT_NE(recorder.problem(), "");
-  EXPECT_EQ(written.run().cycle(), 20U);
+  recorder.note_rest();
+  const auto read = read_recording(path("run.mcap"));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_GT(read->history->last_cycle(), 100U);
+  EXPECT_GT(read->history->poses().size(), 10U);
 }
 
 TEST_F(RecordingFile, OfARunThatNobodyStartsIsNotMade) {
@@ -167,14 +216,14 @@ TEST_F(RecordingFile, AreKeptByNumberAndSizeAndMarksStay) {
     std::ofstream(*place) << "x";
     if (i != 0) continue;
     first = *place;
-    ASSERT_TRUE(shelf.set_mark(first, true));
+    ASSERT_TRUE(Shelf::set_mark(first, true));
   }
   const std::vector<ShelvedRun> runs = shelf.runs();
   EXPECT_EQ(runs.size(), Shelf::kMostRuns + 1);
   EXPECT_EQ(runs.back().path, first);
   EXPECT_TRUE(runs.back().is_marked);
   EXPECT_NE(runs.front().name.find("far_trip"), std::string::npos) << runs.front().name;
-  ASSERT_TRUE(shelf.set_mark(first, false));
+  ASSERT_TRUE(Shelf::set_mark(first, false));
   ASSERT_TRUE(shelf.place_for("m.mdl", 1.6e9));
   EXPECT_FALSE(fs::exists(first));
   // A large one leaves room for nothing else.

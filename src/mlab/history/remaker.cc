@@ -71,29 +71,28 @@ std::shared_ptr<const run::Crew> Remaker::make(const wire::HistoryMission& versi
                                 tools_.version, &files_};
   sources.came_from_elsewhere = true;
   sources.limits = tools_.limits;
-  mdl::LoadOptions options;
-  options.seed = history_.beginning().obstacle_seed();
-  options.overlay_folders = {history_.beginning().overlay_folders().begin(),
-                             history_.beginning().overlay_folders().end()};
-  options.files = files_;
-  options.societies = robot::society_reader(sources);
+  options_ = {};
+  options_.seed = history_.beginning().obstacle_seed();
+  options_.overlay_folders = {history_.beginning().overlay_folders().begin(),
+                              history_.beginning().overlay_folders().end()};
+  options_.files = files_;
+  options_.societies = robot::society_reader(sources);
   for (const wire::HistorySetting& one : version.set())
-    options.settings.push_back({one.name(), one.value(), {}, {}});
-  const MissionPtr mission = mission_of(version, options, sink);
+    options_.settings.push_back({one.name(), one.value(), {}, {}});
+  const MissionPtr mission = mission_of(version, sink);
   if (!mission) return nullptr;
   version_ = version;
   return run::make_crew(mission, sources, sink, before);
 }
 
-Remaker::MissionPtr Remaker::mission_of(const wire::HistoryMission& version, const mdl::LoadOptions& options,
-                                        text::Diagnostics& sink) {
+Remaker::MissionPtr Remaker::mission_of(const wire::HistoryMission& version, text::Diagnostics& sink) {
   MissionPtr mission;
   typed_.reset();
   if (const auto source = files_.read(version.path()))
-    mission = mdl::check_mission(*source, version.folder(), sink, options);
+    mission = mdl::check_mission(*source, version.folder(), sink, options_);
   for (const std::string& line : version.typed()) {
     if (!mission) return nullptr;
-    const auto read = mdl::parse_immediate(line, *mission, sink, options);
+    const auto read = mdl::parse_immediate(line, *mission, sink, options_);
     if (!read || !read->edited) return nullptr;
     mission = read->edited;
     typed_ = std::pair(line, read->commands);
@@ -123,10 +122,7 @@ std::optional<run::Input> Remaker::typed(const std::string& line, text::Diagnost
     const auto known = std::exchange(typed_, std::nullopt);
     return run::input::Posted{mission::event::Typed{known->second, line}};
   }
-  mdl::LoadOptions options;
-  options.seed = history_.beginning().obstacle_seed();
-  options.files = files_;
-  const auto read = mdl::parse_immediate(line, *crew_->mission, sink, options);
+  const auto read = mdl::parse_immediate(line, *crew_->mission, sink, options_);
   if (!read) return std::nullopt;
   return run::input::Posted{mission::event::Typed{read->commands, line}};
 }

@@ -46,15 +46,15 @@ class Remaker {
 
   std::shared_ptr<const run::Crew> make(const wire::HistoryMission& version, const run::Crew* before,
                                         text::Diagnostics& sink);
-  MissionPtr mission_of(const wire::HistoryMission& version, const mdl::LoadOptions& options,
-                        text::Diagnostics& sink);
+  MissionPtr mission_of(const wire::HistoryMission& version, text::Diagnostics& sink);
   std::optional<run::Input> typed(const std::string& line, text::Diagnostics& sink);
 
   const History& history_;
   const ReplayTools tools_;
   std::shared_ptr<const run::Crew> first_;
   run::RunSettings settings_;
-  text::Files files_;  // of the version in force
+  text::Files files_;         // of the version in force,
+  mdl::LoadOptions options_;  // and what its texts are read with
   std::shared_ptr<const run::Crew> crew_;
   wire::HistoryMission version_;
   // By the line that the last version came from, where it was typed: it was read against the version before.

@@ -81,11 +81,13 @@ std::expected<std::string, std::string> Shelf::place_for(const std::string& miss
   return path;
 }
 
-std::expected<void, std::string> Shelf::set_mark(const std::string& path, bool is_marked) const {
+std::expected<void, std::string> Shelf::set_mark(const std::string& path, bool is_marked) {
   std::error_code failure;
   if (!is_marked) {
     fs::remove(mark_of(path), failure);
-    if (failure) return std::unexpected(failure.message());
+    if (failure)
+      return std::unexpected(
+          fmt::format("`{}` can't be removed: {}", text::shown(mark_of(path)), failure.message()));
     return {};
   }
   std::ofstream mark(mark_of(path));

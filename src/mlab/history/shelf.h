@@ -36,8 +36,9 @@ class Shelf {
 
   /// The newest first. Where the folder can't be read there are none.
   std::vector<ShelvedRun> runs() const;
-  /// @errors  likewise
-  std::expected<void, std::string> set_mark(const std::string& path, bool is_marked) const;
+  /// Marks a recording, or takes its mark away.
+  /// @errors  why not, as a sentence
+  static std::expected<void, std::string> set_mark(const std::string& path, bool is_marked);
   const std::string& folder() const { return folder_; }
 
  private:

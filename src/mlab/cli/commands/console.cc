@@ -236,6 +236,12 @@ int exit_status(const std::string& report) {
   return !was_started || json["outcome"] == "done" ? kDone : kFailed;
 }
 
+console::RecordSettings record_settings(const RunOptions& options, const std::string& project) {
+  const std::string runs = runs_folder(project);
+  const bool has_place = !runs.empty() || !options.record.empty();
+  return {!options.no_record && has_place, runs, options.record};
+}
+
 console::SessionSettings session_settings(const RunOptions& options, RunManner manner) {
   console::SessionSettings out;
   const std::string& first = options.edits ? options.configuration : options.mission;
@@ -252,10 +258,6 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.in_own_processes = options.robots == RobotsAt::kOwnProcesses;
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
-  const std::string project = documents::ProjectFolder({out.project_folder, ""}).folder();
-  const std::string runs = runs_folder(project);
-  const bool has_place = !runs.empty() || !options.record.empty();
-  out.record = {!options.no_record && has_place, runs, options.record};
   return out;
 }
 
@@ -351,6 +353,7 @@ int run_console(const RunOptions& options) {
   if (!look.is_readable || !look.is_usable) return kBadInput;
   console::SessionSettings settings = session_settings(options, std::move(*manner));
   const std::string project = documents::ProjectFolder({settings.project_folder, ""}).folder();
+  settings.record = record_settings(options, project);
   const KeptAddress kept(settings.state_folder, project, options.edits ? "edit" : "run");
   const documents::DraftPlace place(settings.state_folder, project, {"", "designer"});
   settings.state_folder = place.state_folder();

@@ -13,6 +13,7 @@
 #include "mlab/cli/run_screen.h"
 #include "mlab/cli/run_settings.h"
 #include "mlab/cli/runs_folder.h"
+#include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/documents/project_folder.h"
 #include "mlab/history/history.h"
@@ -29,6 +30,12 @@ void show_recorded(const history::History& history) {
   for (const history::EventEntry& event : history.events())
     fmt::print("[{:9.1f} s] {}{}\n", event.time, event.is_warning ? "warning: " : "",
                text::shown(event.text, 400));
+  if (!history.poses().empty()) {
+    const history::PosesEntry& last = history.poses().back();
+    for (int i = 0; i < last.poses.robots_size(); ++i)
+      fmt::print("  robot {}: at ({:.1f}, {:.1f}) after {:.1f} s\n", last.poses.robots(i), last.poses.x(i),
+                 last.poses.y(i), last.time);
+  }
   fmt::print("recorded: {} cycles, {:.1f} s{}\n", history.last_cycle(), history.last_time(),
              history.end() ? ", " + text::shown(history.end()->outcome) : "");
 }
@@ -61,6 +68,21 @@ int list_runs(const ReplayOptions& options) {
   return kDone;
 }
 
+// The console makes room by runs that have no mark.
+int mark(const ReplayOptions& options) {
+  const auto summary = history::summarize_recording(options.recording);
+  if (!summary) {
+    tell(summary.error());
+    return kBadInput;
+  }
+  if (const auto marked = history::Shelf::set_mark(options.recording, options.keep); !marked) {
+    fmt::print(stderr, "mlab replay: {}\n", marked.error());
+    return kFailed;
+  }
+  fmt::print("{}: {}\n", options.recording, options.keep ? "kept" : "not kept for longer than others");
+  return kDone;
+}
+
 bool compute(history::Replay& replay, RunScreen& screen) {
   run::MissionRun& run = replay.run();
   run.set_observer([&](const mission::Effect& effect) { screen.show(run, effect); });
@@ -74,7 +96,12 @@ bool compute(history::Replay& replay, RunScreen& screen) {
 }  // namespace
 
 int replay(const ReplayOptions& options) {
+  if (options.recording.empty() && (options.keep || options.no_keep)) {
+    fmt::print(stderr, "mlab replay: --keep and --no-keep: expected the recording that is meant\n");
+    return kBadInput;
+  }
   if (options.recording.empty()) return list_runs(options);
+  if (options.keep || options.no_keep) return mark(options);
   if (!options.report.empty() && !is_writable(options.report)) {
     fmt::print(stderr, "mlab replay: --report {}: the file can't be written\n", options.report);
     return kBadInput;

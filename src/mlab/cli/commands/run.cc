@@ -113,6 +113,13 @@ void start_recording(const RunOptions& options, Prepared& prepared) {
       history::Circumstances{kVersion, overlay_folders(), options.seed, wall_clock().epoch_seconds});
 }
 
+void note_progress(history::Recorder& recorder, run::MissionRun::Progress progress) {
+  if (progress == run::MissionRun::Progress::kStepped)
+    recorder.note_cycle();
+  else
+    recorder.note_rest();
+}
+
 // @return  false: the recording is not whole, which is told
 bool end_recording(Prepared& prepared, const std::string& outcome) {
   if (!prepared.recorder) return true;
@@ -202,7 +209,7 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
     }
     stop.follow();
     const run::MissionRun::Progress progress = run.step();
-    if (prepared.recorder && progress == run::MissionRun::Progress::kStepped) prepared.recorder->note_cycle();
+    if (prepared.recorder) note_progress(*prepared.recorder, progress);
     if (run.is_stopped()) {
       const double before = steady_seconds();
       if (progress == run::MissionRun::Progress::kWaits) pass_time(0.05);

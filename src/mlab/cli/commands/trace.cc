@@ -18,7 +18,7 @@
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/recorded_run.h"
 #include "mlab/flow/program.h"
-#include "mlab/text/shown.h"
+#include "mlab/text/escape.h"
 
 namespace mlab::cli {
 namespace {
@@ -46,14 +46,6 @@ bool matches(std::string_view path, std::string_view pattern) {
   return pattern.find_first_not_of('*', in_pattern) == std::string_view::npos;
 }
 
-// As RFC 4180 has it.
-std::string cell(const std::string& value) {
-  if (value.find_first_of(",\"\n\r") == std::string::npos) return value;
-  std::string out = "\"";
-  for (const char c : value) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 // Of a value that has several numbers, each is a column.
 std::span<const std::string_view> parts_of(const flow::Port& port) {
   static constexpr std::array<std::string_view, 3> kXyz = {".x", ".y", ".z"};
@@ -65,7 +57,7 @@ std::span<const std::string_view> parts_of(const flow::Port& port) {
 
 std::string value_of(const std::byte* frame, const flow::Port& port, std::size_t part) {
   if (port.type->kind != flow::TypeKind::kVector && port.type->kind != flow::TypeKind::kPoint)
-    return cell(flow::Program::print(frame, port));
+    return text::csv_field(flow::Program::print(frame, port));
   std::array<double, 3> numbers{};
   std::memcpy(numbers.data(), frame + port.offset, std::min<std::size_t>(port.type->size, sizeof numbers));
   return fmt::format("{}", numbers[part]);
@@ -162,7 +154,7 @@ int trace(const TraceOptions& options) {
   Columns columns(options);
   if (!find_columns(run, options, columns)) return kBadInput;
   fmt::print("cycle,time,robot,x,y,heading");
-  for (const std::string& name : columns.names()) fmt::print(",{}", cell(name));
+  for (const std::string& name : columns.names()) fmt::print(",{}", text::csv_field(name));
   fmt::print("\n");
   run.set_meanwhile(was_interrupted);
   note_interrupts();

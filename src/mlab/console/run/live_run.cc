@@ -32,11 +32,11 @@ LiveRun::~LiveRun() {
 
 // When there is one, and when it does not go on.
 void LiveRun::tell_recording() {
-  if (const std::string path = recorder_->path(); path != told_path_) {
+  if (const std::string& path = recorder_->path(); path != told_path_) {
     told_path_ = path;
     log_.add(run_->time(), {Log::MESSAGE, fmt::format("this run is recorded in {}", path), 0, "", {}, false});
   }
-  if (const std::string problem = recorder_->problem(); problem != told_problem_) {
+  if (const std::string& problem = recorder_->problem(); problem != told_problem_) {
     told_problem_ = problem;
     log_.add(run_->time(), {Log::WARNING,
                             fmt::format("the recording of this run does not go on: {}", problem),
@@ -65,7 +65,10 @@ std::expected<run::Takeover, std::string> LiveRun::take_over(std::shared_ptr<con
 run::MissionRun::Progress LiveRun::step() {
   const run::MissionRun::Progress progress = run_->step();
   if (recorder_) {
-    if (progress == run::MissionRun::Progress::kStepped) recorder_->note_cycle();
+    if (progress == run::MissionRun::Progress::kStepped)
+      recorder_->note_cycle();
+    else
+      recorder_->note_rest();
     tell_recording();
   }
   estimates_.look(run_->state());
