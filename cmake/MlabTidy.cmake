@@ -32,7 +32,7 @@ function(mlab_tidy_targets)
   get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
-    if(type MATCHES "^(STATIC_LIBRARY|EXECUTABLE)$")
+    if(type MATCHES "^(STATIC_LIBRARY|EXECUTABLE|MODULE_LIBRARY)$")
       mlab_tidy_target(${target} ${type})
     endif()
   endforeach()
@@ -58,8 +58,10 @@ function(mlab_tidy_target target type)
   target_include_directories(tidy_${target} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
   target_compile_definitions(tidy_${target} PRIVATE $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
   get_target_property(is_unity ${target} UNITY_BUILD)
+  get_target_property(batch ${target} UNITY_BUILD_BATCH_SIZE)
   set_target_properties(tidy_${target} PROPERTIES
     UNITY_BUILD ${is_unity}
+    UNITY_BUILD_BATCH_SIZE ${batch}
     EXPORT_COMPILE_COMMANDS OFF
     CXX_COMPILER_LAUNCHER "bash;${MLAB_TIDY_FOLDER}/read;${MLAB_CLANG_TIDY};${MLAB_TIDY_PLUGIN}")
   add_dependencies(tidy_${target} tidy_plugin)

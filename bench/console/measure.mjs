@@ -1,20 +1,13 @@
 // How fast the operator console is, in a headless Chromium against a real mlab: first load, time from an event to the
 // screen, frames per second and main-thread time for each. Prints JSON.
 // `node bench/console/measure.mjs [seconds for each]`; needs `npm ci` in web/ and a built mlab (MLAB_COMMAND=FILE).
-import { spawn } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { loadavg, tmpdir } from "node:os";
-import { dirname, join } from "node:path";
-import { fileURLToPath } from "node:url";
+import { join } from "node:path";
 import { openBrowser } from "../../web/tools/browser.mjs";
+import { root, round, size, startMlab, watchSocket } from "./real_mlab.mjs";
 
-const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 const seconds = Number(process.argv[2] ?? 10);
-const command =
-  process.env.MLAB_COMMAND ??
-  ["release", "test"].map((build) => join(root, "build", build, "bin", "mlab")).find(existsSync) ??
-  "mlab";
-const size = { width: 1280, height: 800 };
 
 /** A mission in which `units` rows of `each` robots cross 3 km, side by side. Returns its path. */
 function writeMission(folder, units, each) {
@@ -43,37 +36,6 @@ function writeMission(folder, units, each) {
   return path;
 }
 
-/** `mlab run OPTIONS`, with its address. */
-async function startMlab(folder, ...options) {
-  const process_ = spawn(command, ["run", "--no-browser", "--port", "0", ...options], {
-    env: { ...process.env, XDG_STATE_HOME: join(folder, "state") },
-  });
-  let output = "";
-  for (const stream of [process_.stdout, process_.stderr]) stream.on("data", (bytes) => (output += bytes));
-  while (!/https?:\/\/\S+/.test(output)) {
-    if (process_.exitCode !== null) throw new Error(`mlab did not start:\n${output}`);
-    await new Promise((resolve) => setTimeout(resolve, 20));
-  }
-  const stop = () =>
-    new Promise((resolve) => {
-      process_.on("exit", resolve);
-      process_.kill("SIGINT");
-    });
-  return { url: /https?:\/\/\S+/.exec(output)[0], stop };
-}
-
-/** In the page: notes when it sends that a frame is drawn. */
-function watchSocket() {
-  const noted = { drawn: [] };
-  window.noted = noted;
-  const send = WebSocket.prototype.send;
-  WebSocket.prototype.send = function (data) {
-    // Acknowledge is field 3 of ToServer, and no request number stands before it.
-    if (data[0] === 0x1a) noted.drawn.push(Date.now());
-    return send.call(this, data);
-  };
-}
-
 async function openConsole(browser, url) {
   const page = await browser.page(size);
   page.setDefaultTimeout(120_000);
@@ -98,7 +60,7 @@ async function measureLoad() {
   const folder = mkdtempSync(join(tmpdir(), "mlab-bench-"));
   const times = [];
   for (let tries = 0; tries < 5; ++tries) {
-    const mlab = await startMlab(folder, join(root, "missions", "demo_c", "demo_c.mdl"));
+    const mlab = await startMlab(folder, "run", join(root, "missions", "demo_c", "demo_c.mdl"));
     const browser = await openBrowser();
     const page = await browser.page(size);
     await page.addInitScript(noteReady);
@@ -170,10 +132,6 @@ async function measureEvents(page) {
   return { events: times.length, "median [ms]": at(0.5), "99th percentile [ms]": at(0.99), "longest [ms]": at(1) };
 }
 
-function round(value) {
-  return Math.round(value * 10) / 10;
-}
-
 const results = { "load of the machine": loadavg()[0] };
 results.load = await measureLoad();
 for (const [robots, units, speed] of [
@@ -181,7 +139,7 @@ for (const [robots, units, speed] of [
   [10000, 100, "×5"],
 ]) {
   const folder = mkdtempSync(join(tmpdir(), "mlab-bench-"));
-  const mlab = await startMlab(folder, writeMission(folder, units, robots / units));
+  const mlab = await startMlab(folder, "run", writeMission(folder, units, robots / units));
   const browser = await openBrowser();
   const page = await openConsole(browser, mlab.url);
   await setSpeed(page, speed);

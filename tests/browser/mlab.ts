@@ -9,14 +9,14 @@ const here = dirname(fileURLToPath(import.meta.url));
 /** The missions that come with mlab. */
 export const missions = process.env.MLAB_MISSIONS ?? join(here, "..", "..", "missions");
 
-/** A running `mlab run` or `mlab edit`, with a folder of its own for what it remembers. */
+/** A running `mlab run`, `mlab edit` or `mlab replay`, with a folder of its own for what it remembers. */
 export class Mlab {
   private readonly process: ChildProcess;
   private readonly ended: Promise<number | null>;
   output = "";
 
   private constructor(
-    what: "run" | "edit",
+    what: "run" | "edit" | "replay",
     options: string[],
     private readonly state = mkdtempSync(join(tmpdir(), "mlab-state-")),
   ) {
@@ -42,6 +42,11 @@ export class Mlab {
   /** As `start`, with the folder of what one before it remembered. */
   static startAgain(state: string, ...options: string[]): Promise<Mlab> {
     return Mlab.answering(new Mlab("run", options, state));
+  }
+
+  /** As `mlab replay OPTIONS`. */
+  static replay(...options: string[]): Promise<Mlab> {
+    return Mlab.answering(new Mlab("replay", options));
   }
 
   /** As `mlab edit OPTIONS`. `state`: the folder of what one before it remembered. */
@@ -76,6 +81,12 @@ export class Mlab {
     this.process.kill("SIGKILL");
     await this.ended;
     return this.state;
+  }
+
+  /** As `stop`, but what it remembers stays: for one that is started again. */
+  async end(): Promise<void> {
+    if (this.process.exitCode === null) this.process.kill("SIGINT");
+    await this.ended;
   }
 
   /** As Ctrl-C. @returns the exit status. @throws where it had crashed, with what it printed */

@@ -157,8 +157,7 @@ test("a mistake in the text is underlined while it is typed", async () => {
   const { page } = tour;
   const panel = await tour.panel("Text");
   const text = panel.getByRole("textbox", { name: /^Text of / });
-  await text.getByText("OBJ-Tango").first().waitFor();
-  await text.click();
+  await text.getByText("OBJ-Tango").first().click();
   await page.keyboard.press("Control+End");
   await page.keyboard.insertText("\n 12. UNIT scuots STOP\n");
   await panel
@@ -325,4 +324,29 @@ test("failsafes show how they stand, and what they would do", async () => {
   await fence.scrollIntoViewIfNeeded();
   await picture(page, "failsafes");
   await answer.getByText(/it stands, .* 3\.\d m before the line\.$/).waitFor();
+});
+
+test("what if: another future on the same map, and how far it is from the run", async () => {
+  const asking = await open("demo_c");
+  const { page } = asking;
+  await asking.main.click();
+  await asking.reaches("Running");
+  await asking.setSpeed("Max");
+  await asking.questions.getByRole("button", proceed).first().waitFor({ timeout: 60_000 });
+  const line = page.getByRole("region", { name: "Time line" });
+  const goTo = async (time: string) => {
+    await line.getByRole("textbox", { name: "Time that is shown" }).fill(time);
+    await page.keyboard.press("Enter");
+  };
+  await goTo("10");
+  await line.getByRole("button", { name: "What if…" }).click();
+  const asked = page.getByRole("region", { name: "What if", exact: true });
+  await asked.getByRole("radio", { name: "Order" }).click();
+  await asked.getByRole("textbox", { name: "Order, as it is typed" }).fill("UNIT scouts-2 MOVETO PP-Charlie");
+  await asked.getByRole("textbox", { name: "For how long [s]" }).fill("60");
+  await asked.getByRole("button", { name: "Compute" }).click();
+  await asked.getByText(/They part at/).waitFor();
+  await goTo("16");
+  await expect.poll(() => asking.time()).toBeCloseTo(16, 1);
+  await picture(page, "what_if");
 });

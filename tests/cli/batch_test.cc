@@ -71,7 +71,7 @@ TEST_F(Batches, SayHowAFailureIsRepeated) {
                            "patrol/patrol.mdl --runs 2 --set base_velocity=0 --patience 60 "
                            "--start-time '2026-03-01 08:30' --table t.csv");
   EXPECT_EQ(out.status, 0) << out.err;
-  EXPECT_TRUE(has(out.out, "2 x step 1: unit scouts MOVETO Gate (Column): no progress for 60 s")) << out.out;
+  EXPECT_TRUE(has(out.out, "2 x step 1: unit scouts MOVETO Gate (Column): no progress")) << out.out;
   const std::string command = "run " + kMissions +
                               "patrol/patrol.mdl --headless --proceed --seed 1 --set base_velocity=0 "
                               "--start-time 2026-03-01T08:30:00 --patience 60";
@@ -80,6 +80,94 @@ TEST_F(Batches, SayHowAFailureIsRepeated) {
   const Outcome again = mlab(command);
   EXPECT_EQ(again.status, 1);
   EXPECT_TRUE(has(again.out, "no progress for 60 s")) << again.out;
+}
+
+// A batch of which both runs fail, each with a page and a table of this name.
+std::string failing(const std::string& name) {
+  return "batch " + kMissions +
+         "patrol/patrol.mdl --runs 2 --set base_velocity=0 --patience 60 --start-time '2026-03-01 08:30' "
+         "--quiet --table '" +
+         name + ".json' --html '" + name + ".html'";
+}
+
+TEST_F(Batches, RecordOneRunOfEachCause) {
+  const Outcome out = mlab(failing("out"));
+  EXPECT_EQ(out.status, 0) << out.err;
+  EXPECT_TRUE(has(out.out, "recordings: out.failures/\n")) << out.out;
+  const std::string file = "out.failures/seed-1.mcap";
+  const Outcome replay = mlab("replay --headless " + file);
+  EXPECT_EQ(replay.status, 0) << replay.err;
+  EXPECT_TRUE(has(replay.out, "as recorded: ")) << replay.out;
+  const Json table = Json::parse(text_of(folder_ / "out.json"));
+  EXPECT_EQ(table["runs"][0]["recording"], file);
+  EXPECT_TRUE(table["runs"][1]["recording"].is_null());
+  ASSERT_EQ(table["summary"]["failures"].size(), 1U);
+  EXPECT_EQ(table["summary"]["failures"][0]["runs"], 2);
+  EXPECT_EQ(table["summary"]["failures"][0]["recording"], file);
+  const std::string page = text_of(folder_ / "out.html");
+  EXPECT_TRUE(has(page, "<a href=\"./out.failures/seed-1.mcap\">its recording</a>")) << page;
+  EXPECT_TRUE(has(page, "<code>mlab replay out.failures/seed-1.mcap</code>"));
+  // Nothing is written over.
+  const std::string before = text_of(folder_ / file);
+  EXPECT_EQ(mlab(failing("out")).status, 0);
+  EXPECT_EQ(text_of(folder_ / file), before);
+  EXPECT_TRUE(has(text_of(folder_ / "out.html"), "out.failures/seed-1-2.mcap"));
+}
+
+TEST_F(Batches, RecordUnderAnyName) {
+  const std::string name = "a <b> \"c\" #1 %20 &amp;";
+  EXPECT_EQ(mlab(failing(name)).status, 0);
+  const std::string page = text_of(folder_ / (name + ".html"));
+  EXPECT_TRUE(has(page, "href=\"./a%20%3Cb%3E%20%22c%22%20%231%20%2520%20%26amp%3B.failures/seed-1.mcap\""))
+      << page;
+  EXPECT_TRUE(has(page, "mlab replay &#39;a &lt;b&gt;") || has(page, "mlab replay 'a &lt;b&gt;")) << page;
+  EXPECT_EQ(mlab("replay --headless '" + name + ".failures/seed-1.mcap'").status, 0);
+}
+
+TEST_F(Batches, RecordNothingWhereNothingFailsOrNobodyWantsIt) {
+  EXPECT_EQ(mlab("batch " + kMissions + "patrol/patrol.mdl --runs 1 --html ok.html").status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "ok.failures"));
+  EXPECT_EQ(mlab(failing("out") + " --recordings none").status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out.failures"));
+  EXPECT_FALSE(fs::exists(folder_ / "none"));
+  EXPECT_EQ(mlab(failing("out") + " --recordings 'some where/else'").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "some where/else/seed-1.mcap"));
+  write("file", "mine");
+  const Outcome refused = mlab(failing("out") + " --recordings file");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(has(refused.err, "--recordings file: that is no folder")) << refused.err;
+  EXPECT_EQ(text_of(folder_ / "file"), "mine");
+}
+
+// A folder that can't be made, as a disk that is full or read only: the table is there all the same.
+TEST_F(Batches, SayThatTheyCouldNotRecord) {
+  const Outcome out = mlab(failing("out") + " --recordings /proc/none/x");
+  EXPECT_EQ(out.status, 1);
+  EXPECT_TRUE(has(out.err, "mlab batch: there can't be a folder /proc/none/x")) << out.err;
+  EXPECT_TRUE(Json::parse(text_of(folder_ / "out.json"))["runs"][0]["recording"].is_null());
+}
+
+TEST_F(Batches, LetRobotsFailByTheSeed) {
+  const Outcome out =
+      mlab("batch " + kMissions +
+           "patrol/patrol.mdl --runs 4 --set FAILING-ROBOTS=0,1 --set FAILURES-WITHIN=20 --patience "
+           "60 --table t.json --quiet");
+  EXPECT_EQ(out.status, 0) << out.err;
+  const Json table = Json::parse(text_of(folder_ / "t.json"));
+  ASSERT_EQ(table["runs"].size(), 8U);
+  for (int i = 0; i < 8; ++i) {
+    const Json& row = table["runs"][static_cast<std::size_t>(i)];
+    EXPECT_EQ(row["faults"], i < 4 ? 0 : 1) << row.dump();
+    if (i < 4) {
+      EXPECT_EQ(row["outcome"], "done") << row.dump();
+    }
+  }
+  for (const Json& group : table["summary"]["failures"]) {
+    EXPECT_TRUE(has(group["cause"], "robots that it waits for do not run")) << group.dump();
+    const Outcome replay = mlab("replay --headless '" + group["recording"].get<std::string>() + "'");
+    EXPECT_EQ(replay.status, 0) << replay.err;
+    EXPECT_TRUE(has(replay.out, "its body has broken down")) << replay.out;
+  }
 }
 
 TEST_F(Batches, EndAsTheirRequirementsDo) {

@@ -30,7 +30,7 @@ TEST_F(RecordingCommand, AreComputedAgainWithoutTheFilesThatTheyWereMadeFrom) {
   record();
   fs::remove(folder_ / "mission.mdl");
   fs::remove(folder_ / "map.odl");
-  const Outcome again = mlab("replay run.mcap --report now.json --threads 2");
+  const Outcome again = mlab("replay run.mcap --headless --report now.json --threads 2");
   EXPECT_EQ(again.status, 0) << again.out << again.err;
   EXPECT_TRUE(has(again.out, "as recorded: ")) << again.out;
   EXPECT_FALSE(has(again.out, "not as recorded")) << again.out;
@@ -62,7 +62,7 @@ TEST_F(RecordingCommand, AreNeverWrittenOver) {
   const Outcome again = mlab("run mission.mdl --headless --record run.mcap");
   EXPECT_EQ(again.status, 2);
   EXPECT_TRUE(has(again.err, "a recording is never written over")) << again.err;
-  EXPECT_EQ(mlab("replay run.mcap --quiet").status, 0);
+  EXPECT_EQ(mlab("replay run.mcap --headless --quiet").status, 0);
 }
 
 TEST_F(RecordingCommand, AreKeptWhereSomebodySaysSo) {
@@ -78,10 +78,10 @@ TEST_F(RecordingCommand, AreKeptWhereSomebodySaysSo) {
 
 TEST_F(RecordingCommand, ThatAreNoneAreBadInput) {
   write("text.mcap", "MISSION NAME x\n");
-  const Outcome text = mlab("replay text.mcap");
+  const Outcome text = mlab("replay text.mcap --headless");
   EXPECT_EQ(text.status, 2);
   EXPECT_TRUE(has(text.err, "[no-mcap]")) << text.err;
-  EXPECT_EQ(mlab("replay nosuch.mcap").status, 2);
+  EXPECT_EQ(mlab("replay nosuch.mcap --headless").status, 2);
   EXPECT_EQ(mlab("trace text.mcap").status, 2);
   const Outcome none = mlab("replay");
   EXPECT_EQ(none.status, 0);
@@ -101,7 +101,7 @@ TEST_F(RecordingCommand, OfRunsThatWereKilledAreComputedAgain) {
     mlab("run '" + kMissions + "demo_c/demo_c.mdl' --headless --proceed --speed 100 --record run.mcap",
          "timeout -s KILL " + std::to_string(after));
     if (!fs::exists(folder_ / "run.mcap")) continue;
-    const Outcome again = mlab("replay run.mcap --quiet");
+    const Outcome again = mlab("replay run.mcap --headless --quiet");
     if (has(again.err, "[no-recording]") || has(again.err, "[no-mcap]")) continue;  // nothing had begun
     EXPECT_EQ(again.status, 0) << again.out << again.err;
     EXPECT_FALSE(has(again.out, "not as recorded")) << again.out << again.err;
@@ -113,7 +113,7 @@ TEST_F(RecordingCommand, OfRunsThatWereKilledAreComputedAgain) {
 TEST_F(RecordingCommand, ThatWereCutOffAreShownUpToThere) {
   record();
   fs::resize_file(folder_ / "run.mcap", fs::file_size(folder_ / "run.mcap") - 40);
-  const Outcome cut = mlab("replay run.mcap --quiet");
+  const Outcome cut = mlab("replay run.mcap --headless --quiet");
   EXPECT_EQ(cut.status, 0) << cut.err;
   EXPECT_TRUE(has(cut.err, "readable up to byte ")) << cut.err;
   EXPECT_TRUE(has(cut.out, "as recorded: ")) << cut.out;

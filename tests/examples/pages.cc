@@ -48,6 +48,7 @@ int expected_status(const ShownCommand& shown) {
   };
   if (shows("  FAIL  ")) return 1;
   if (shows("error:")) return 2;
+  if (shown.command.starts_with("./mlab compare ")) return shows("Where they part") ? 1 : 0;
   if (shown.command.starts_with("./mlab diff ")) return shown.output.empty() ? 0 : 1;
   return shows("mission failed") || shows("mission aborted") ? 1 : 0;
 }
@@ -234,11 +235,15 @@ std::string trial_of(const ShownCommand& shown) {
   const auto says = [&](std::string_view option) { return std::ranges::find(words, option) != words.end(); };
   const std::string command = words.front();
   // `diff` may ask git of revisions that only the reader has.
-  if (command == "test" || command == "bench" || command == "diff" ||
+  // `python` is the launcher's, whose tests are elsewhere.
+  if (command == "test" || command == "python" || command == "bench" || command == "diff" ||
       (words.size() == 1 && command != "--version"))
     return {};
-  if ((command == "run" && !says("--headless")) || command == "edit") words = {"check", words[1]};
-  if (command == "agent") words.emplace_back("--help");  // it would wait for runs for ever
+  const bool opens_page = (command == "run" || command == "replay") && !says("--headless");
+  const bool has_mission = command == "run" && !says("--resume");
+  if ((opens_page && has_mission) || command == "edit") words = {"check", words[1]};
+  // It would wait for runs or for people for ever, or wants what others have left.
+  if (command == "agent" || (opens_page && !has_mission) || says("--merge")) words.emplace_back("--help");
   if (command == "build" && !says("--emit")) words.insert(words.end(), {"--emit", "cnl"});
   return fmt::format("./mlab {}", fmt::join(words, " "));
 }

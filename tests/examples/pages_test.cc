@@ -54,6 +54,8 @@ class Pages : public testing::Test {
     if (!help.empty()) return help;
     if (command == "test")
       return help = fmt::format("{}", fmt::join(lines_of(root() / "tools/test/run"), "\n"));
+    if (command == "python")
+      return help = fmt::format("Usage: {}", fmt::join(lines_of(root() / "tools/launcher/help.txt"), "\n"));
     const Answer answer = mlab({"help", command.starts_with("-") ? "" : command});
     EXPECT_EQ(answer.status, 0) << answer.output;
     return help = answer.output;

@@ -22,6 +22,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"dds", {"base", "text"}},
     {"keys", {"dds"}},
     {"mcap", {"base", "text"}},
+    {"metrics", {"base"}},
     {"statistics", {"base"}},
     {"percept", {"geom"}},
     {"flow", {"percept", "text"}},
@@ -54,15 +55,21 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"run", {"fleet"}},
     {"simulated", {"run"}},
     {"history", {"simulated", "lang/mdl", "lang/envchange", "mcap"}},
-    {"study", {"simulated", "statistics", "lang/mdl", "lang/envchange"}},
+    {"page", {"statistics", "text"}},
+    {"journal", {"history"}},
+    {"comparison", {"history", "page"}},
+    {"viewers", {"run", "text"}},
+    {"study", {"history", "page", "lang/mdl", "lang/envchange"}},
+    {"training", {"simulated"}},
     {"assist", {"run", "lang/mdl", "lang/odl", "lang/envchange"}},
     {"project", {"documents", "assist"}},
     {"lsp", {"documents", "assist"}},
-    {"console/server", {"base"}},
+    {"console/server", {"base", "metrics"}},
     {"console",
-     {"cell", "documents", "history", "simulated", "assist", "project", "lang/mdl", "lang/odl",
-      "lang/envchange", "console/server"}},
+     {"cell", "comparison", "documents", "history", "journal", "metrics", "simulated", "assist", "project",
+      "lang/mdl", "lang/odl", "lang/envchange", "console/server"}},
     {"designer", {"component_test", "console", "difference", "git", "lang/cdl", "lang/cdl_historic"}},
+    {"python", {"cli", "study", "training", "history", "lang/mdl", "lang/envchange", "lang/cnl"}},
     {"tables", {"dds", "lang/mdl", "lang/cdl"}},
 };
 
@@ -70,11 +77,14 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
 /// it know of it.
 const std::map<std::string, Modules, std::less<>> kKept = {
     {"simulated", {"sim"}},
+    {"training", {"sim"}},
 };
 
 /// Whose messages a file of proto/mlab holds, by how its name begins.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kMessages = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kMessages = {{
     {"history", "history"},
+    {"viewers", "viewers"},
+    {"journal", "journal"},
     {"robot", "robot/wire"},
     {"agent", "robot/remote"},
     {"presence", "agents"},

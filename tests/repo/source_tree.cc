@@ -11,7 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> kSkipped = {"build", ".git", "node_modules", "dist", "generated"};
+constexpr std::array<std::string_view, 6> kSkipped = {"build", ".git",      "node_modules",
+                                                      "dist",  "generated", "__pycache__"};
 
 bool is_text(const std::string& text) {
   return text.find('\0') == std::string::npos;

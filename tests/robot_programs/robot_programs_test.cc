@@ -1,6 +1,7 @@
 // Robots whose programs are executables, in a mission: their run is the run of the embedded program, and
 // whatever an executable does, the mission goes on.
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,13 +9,17 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
+#include "mlab/history/history_writer.h"
+#include "mlab/history/replay.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/executable/executable.h"
 #include "mlab/robot/host/hosted_program.h"
@@ -316,6 +321,98 @@ TEST_F(RobotProgramsTest, ThatCrashLeaveOneRobotStandingAndNameTheProcedure) {
             "`Walk` (frail.cnl:1) at node `walk`");
   for (const fleet::FleetRobot& robot : run->fleet().robots())
     EXPECT_EQ(robot.life == fleet::RobotLife::kFaulted, robot.id.value == 2) << robot.id.value;
+}
+
+// What they answered is recorded: the run is computed again when they are gone, whatever became of them in
+// it.
+TEST_F(RobotProgramsTest, NeedNotBeThereWhenTheRunIsComputedAgain) {
+  script("dying", "dd bs=1 count=20000 status=none | \"${0%/*}/closed\"; echo battery empty >&2; exit 7");
+  for (const std::string program : {"walker", "closed", "dying"}) {
+    SCOPED_TRACE(program);
+    fs::copy_file(shared_folder / program, shared_folder / "gone", fs::copy_options::overwrite_existing);
+    warnings_.clear();
+    const auto run = prepare("./gone", 1, "(pace = 3)", true, program != "dying");
+    ASSERT_TRUE(run) << text::render(sink_);
+    const auto history = std::make_shared<history::History>();
+    history::HistoryWriter writer([&](const wire::HistoryEntry& entry) {
+      const auto problem = history->add(entry);
+      ASSERT_FALSE(problem) << *problem;
+    });
+    writer.begin(*run, {"test", {}, 1, 0.0});
+    run->post(mission::event::Execute{});
+    std::vector<geom::Pose> expected;
+    for (int i = 0; i < 300 && run->step() == run::MissionRun::Progress::kStepped; ++i) {
+      writer.note_cycle();
+      if (i == 100) run->set_parameter({2}, "pace", "1");
+      if (i == 150) run->set_emergency_stop(true);
+      for (const fleet::FleetRobot& robot : run->fleet().robots())
+        expected.push_back(run->fleet().pose(robot));
+      if (run->is_stopped() && run->fleet().bodies().moving == 0) run->set_emergency_stop(false);
+    }
+    writer.end("interrupted");
+    EXPECT_EQ(expected.size(), 1500U);
+    const std::vector<std::string> told = std::exchange(warnings_, {});
+    EXPECT_EQ(told.empty(), program != "dying");
+    fs::remove(shared_folder / "gone");
+
+    text::Diagnostics sink;
+    const auto replay = history::Replay::make(history, {cell::Permission()}, sink);
+    ASSERT_TRUE(replay) << text::render(sink);
+    std::vector<std::string> told_again;
+    replay->run().set_observer([&](const mission::Effect& effect) {
+      const auto* one = std::get_if<mission::effect::Tell>(&effect);
+      if (one != nullptr && one->kind == mission::effect::Tell::Kind::kWarning)
+        told_again.push_back(one->text);
+    });
+    std::vector<geom::Pose> poses;
+    while (replay->step()) {
+      const fleet::Fleet& fleet = replay->run().fleet();
+      for (const fleet::FleetRobot& robot : fleet.robots()) poses.push_back(fleet.pose(robot));
+    }
+    EXPECT_FALSE(replay->divergence()) << replay->divergence()->why;
+    EXPECT_TRUE(replay->is_at_end());
+    EXPECT_EQ(poses, expected);
+    EXPECT_EQ(told_again, told);
+  }
+}
+
+// The same as who types the commands meets it.
+TEST_F(RobotProgramsTest, AreNotNeededByThoseWhoReadARecording) {
+  fs::copy_file(shared_folder / "closed", shared_folder / "gone", fs::copy_options::overwrite_existing);
+  std::ofstream(shared_folder / "read.mdl")
+      << "MISSION NAME Test\nOVERLAY map.odl\nNEW-ROBOT walker \"./gone\"\n"
+         "UNIT <u> walker walker ROBOT\nCOMMAND LIST:\n"
+         "0. UNIT u START Here 0 10\n1. UNIT u MOVETO There\n";
+  const auto status_of = [](const std::string& command, const std::string& out) {
+    const std::string line = "cd '" + shared_folder.string() + "' && HOME='" + shared_folder.string() +
+                             "' '" + MLAB_COMMAND + "' " + command + " >" + out + " 2>&1";
+    const int status = std::system(line.c_str());  // NOLINT(concurrency-mt-unsafe): the test has one thread
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  const auto text_of = [](const std::string& file) {
+    std::ifstream in(shared_folder / file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto report_of = [&](const std::string& file) {
+    const std::string report = text_of(file);
+    return report.substr(0, report.find("\"performance\""));
+  };
+  // Nothing in it reports on orders, so the mission fails, for that reason.
+  const std::string run = "run read.mdl --headless --proceed --allow-native --record read.mcap";
+  ASSERT_EQ(status_of(run + " --report then.json", "run"), 1) << text_of("run");
+  ASSERT_NE(text_of("run").find("\nrecording: read.mcap"), std::string::npos) << text_of("run");
+  for (const char* file : {"gone", "read.mdl"}) fs::remove(shared_folder / file);
+  EXPECT_EQ(status_of("replay read.mcap --headless --report now.json", "replay"), 0) << text_of("replay");
+  EXPECT_NE(text_of("replay").find("\nas recorded: "), std::string::npos) << text_of("replay");
+  EXPECT_EQ(report_of("now.json"), report_of("then.json"));
+  EXPECT_EQ(status_of("replay read.mcap --headless --quiet --record again.mcap", "replay"), 0)
+      << text_of("replay");
+  EXPECT_EQ(status_of("compare read.mcap again.mcap", "compare"), 0) << text_of("compare");
+  EXPECT_EQ(status_of("trace read.mcap --robot 1 --ports '*'", "trace"), 2);
+  EXPECT_NE(text_of("trace").find("of robots 1 only what their programs answered is recorded"),
+            std::string::npos)
+      << text_of("trace");
+  EXPECT_EQ(status_of("trace read.mcap --robot 3 --ports '*' --to 1", "trace"), 0) << text_of("trace");
 }
 
 TEST_F(RobotProgramsTest, ThatEndInTheMiddleLeaveTheirRobotsStanding) {

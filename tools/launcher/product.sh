@@ -1,5 +1,5 @@
 # Makes build/release current: packages, configuration, build. Sourced by the launcher, which sets `root`, `build`,
-# `binary`, `stamp`, `web_stamp` and `wants_web`.
+# `binary`, `stamp`, `web_stamp`, `python_stamp` and `wants_web`.
 
 source "$root/tools/launcher/messages.sh"
 source "$root/tools/launcher/packages.sh"
@@ -30,10 +30,38 @@ build_product() {
 build_binary() {
   # The stamp is as old as the start of the build: what is edited meanwhile is newer.
   printf '%s\n' "$root" >"$stamp.new"
-  configure "$build/release" -DCMAKE_BUILD_TYPE=Release -DMLAB_UNITY=ON -DMLAB_TESTS=OFF "-DMLAB_WEB_FOLDER=$build/web"
+  configure_release
   build_folder "$build/release" mlab || give_up "the build failed; what the compiler said stands above"
   [[ -x $binary ]] || give_up "the build made no $binary"
   mv -f "$stamp.new" "$stamp"
+}
+
+# The Python module, in build/release/python, for who asks for it with `./mlab python`.
+make_python_current() {
+  mkdir -p "$build/release" 2>/dev/null && [[ -w $build/release ]] ||
+    give_up "has to build, but can't write to $build" \
+      "copy or clone the project to a place of your own, or say where to build: MLAB_BUILD_DIR=DIR ./mlab ..."
+  wait_for_lock
+  is_python_current || build_python
+  exec 9>&-
+}
+
+build_python() {
+  find_product_packages
+  ensure_packages "${product_packages[@]}" "$root/tools/packages/python.txt"
+  if [[ -e $python_stamp ]]; then say "builds what changed"; else say "builds the Python module for the first time, which takes some minutes"; fi
+  printf '%s\n' "$root" >"$python_stamp.new"
+  configure_release
+  # A folder that was configured before the packages were there does not know of it yet.
+  grep -qs mlab_python "$build/release/build.ninja" ||
+    cmake -S "$root" -B "$build/release" >"$build/release/configure.log" 2>&1 ||
+    give_up "could not configure the build; what was said is kept in $build/release/configure.log"
+  build_folder "$build/release" mlab_python || give_up "the build failed; what the compiler said stands above"
+  mv -f "$python_stamp.new" "$python_stamp"
+}
+
+configure_release() {
+  configure "$build/release" -DCMAKE_BUILD_TYPE=Release -DMLAB_UNITY=ON -DMLAB_TESTS=OFF "-DMLAB_WEB_FOLDER=$build/web"
 }
 
 # The page is built beside the compiler, mostly waiting for the network. Where that fails everything but the console

@@ -37,28 +37,45 @@ count_tests() {
 # What of a failed stage a person wants to see: what compilers, ctest and sanitizers say, not the progress.
 show_failure() { grep -v -E '^\[[0-9]+/[0-9]+\]|Test +#[0-9]+: .* Passed|^ +Start +[0-9]+:' "$1" | tail -n 150; }
 
-# Sets `worked` to the seconds that processors have worked for all that was started here and has ended.
-worked_seconds() {
-  times >"$build/logs/times"  # in this very shell: another would know nothing of its children
-  worked=$(awk 'NR == 2 { for (i = 1; i <= 2; i++) { split($i, part, /[ms]/); sum += 60 * part[1] + part[2] } printf "%d", sum }' "$build/logs/times")
-  rm -f "$build/logs/times"
+# count_work FILE: writes how many seconds processors have worked for all that was started by this shell and has ended.
+count_work() {
+  times >"$1.times"  # in this very shell: another would know nothing of its children
+  awk 'NR == 2 { for (i = 1; i <= 2; i++) { split($i, part, /[ms]/); sum += 60 * part[1] + part[2] } printf "%d", sum }' \
+    "$1.times" >"$1"
+  rm -f "$1.times"
 }
 
-# run_stage NAME: calls stage_NAME with its output in a log.
+# run_part FUNCTION LOG: calls one part of a stage where there is it, and adds to `worked`.
+run_part() {
+  declare -F "$1" >/dev/null || return 0
+  # In a subshell of its own, so that -e is in force inside.
+  (set -e && trap 'count_work "$build/logs/worked"' EXIT && "$1") >>"$2" 2>&1
+  local status=$?
+  ((worked += $(<"$build/logs/worked")))
+  return "$status"
+}
+
+# stages_after NAME: those that were chosen and are still to come.
+stages_after() { printf '%s\n' "${stages[@]}" | sed "0,/^$1\$/d"; }
+
+# run_stage NAME: does what there is to do for a stage, with its output in a log.
 run_stage() {
-  local name=$1 log=$build/logs/$1.log started=$SECONDS status=0 watcher passed failed skipped worked
-  worked_seconds
-  local before=$worked
+  local name=$1 log=$build/logs/$1.log started=$SECONDS status=0 watcher passed failed skipped worked=0
   : >"$log"
   watch_log "$name" "$log" 9>&- &
   watcher=$!
-  # In a subshell of its own, so that -e is in force inside.
+  ! declare -F "compile_$name" >/dev/null || end_ahead
   set +e
-  (set -e && "stage_$name") >>"$log" 2>&1
+  run_part "compile_$name" "$log"
   status=$?
+  if ((status == 0)); then
+    # shellcheck disable=SC2046
+    begin_ahead $(stages_after "$name")
+    run_part "stage_$name" "$log"
+    status=$?
+  fi
   set -e
-  worked_seconds
-  stage_times+=("$name $((SECONDS - started)) $((worked - before))")
+  stage_times+=("$name $((SECONDS - started)) $worked")
   kill "$watcher" 2>/dev/null || true
   wait "$watcher" 2>/dev/null || true
   end_progress
@@ -71,9 +88,11 @@ run_stage() {
   ((status == 0)) || [[ $name != build ]] || report_all
 }
 
-# What each stage took, as seconds of the clock, as its share of the run, and as seconds that processors worked for it.
+# What each stage took, as seconds of the clock, as its share of the run, and as seconds that processors worked for it; and
+# what they worked ahead of stages, while others waited.
 report_times() {
   ((${#stage_times[@]} > 1)) || return 0
+  ((ahead_worked == 0)) || stage_times+=("ahead 0 $ahead_worked")
   printf '%s\n' "${stage_times[@]}" | awk '
     { name[NR] = $1; seconds[NR] = $2; worked[NR] = $3; all += $2; all_worked += $3 }
     END {
@@ -84,6 +103,7 @@ report_times() {
 }
 
 report_all() {
+  end_ahead
   report_times
   printf '\n%d passed, %d failed, %d skipped\n' "$total_passed" "$total_failed" "$total_skipped"
   ((total_failed == 0)) || exit 1

@@ -1,4 +1,5 @@
-# What each stage of `./mlab test` does. Each runs in a subshell with -e; its output goes to its log.
+# What each stage of `./mlab test` does: compile_STAGE makes what it needs, perhaps ahead of it (ahead.sh), stage_STAGE runs it;
+# a stage has one of them or both. Each runs in a subshell with -e; its output goes to the stage's log.
 
 jobs=$(job_count)
 
@@ -13,7 +14,7 @@ configure_test() {
 }
 
 # Compiled exactly as the product, so that what is tested is what runs, and the two share what ccache keeps.
-stage_build() {
+compile_build() {
   configure_test
   ninja -C "$build/test" -j "$jobs"
 }
@@ -35,7 +36,7 @@ web_scripts() (
 editor_scripts() (
   source "$root/tools/web/node.sh"
   source "$root/tools/web/prepare.sh"
-  [[ -x $build/test/bin/mlab ]] || stage_build
+  [[ -x $build/test/bin/mlab ]] || compile_build
   mkdir -p "$build/editors"
   exec 8>>"$build/editors/lock"
   flock 8
@@ -78,26 +79,26 @@ configure_asan() {
     "-DMLAB_SANITIZE=address;undefined" "-DMLAB_FUZZ_SECONDS=$fuzz_seconds"
 }
 
-stage_fuzz() {
+compile_fuzz() {
   configure_asan
   ninja -C "$build/asan" -j "$jobs" fuzzers
-  run_ctest "$build/asan" -L fuzz
 }
+stage_fuzz() { run_ctest "$build/asan" -L fuzz; }
 
-stage_address() {
+compile_address() {
   configure_asan
   ninja -C "$build/asan" -j "$jobs" unit_tests
-  run_ctest "$build/asan" -LE 'repo|e2e|fuzz'
 }
+stage_address() { run_ctest "$build/asan" -LE 'repo|e2e|fuzz'; }
 
-stage_thread() {
+compile_thread() {
   configure "$build/tsan" -DCMAKE_CXX_COMPILER=clang++-19 -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -g1" \
     -DMLAB_UNITY=ON -DMLAB_TESTS=ON -DMLAB_SANITIZE=thread
   ninja -C "$build/tsan" -j "$jobs" threaded_tests
-  run_ctest "$build/tsan" -L threads
 }
+stage_thread() { run_ctest "$build/tsan" -L threads; }
 
-stage_tidy() {
+compile_tidy() {
   configure_test
   ninja -C "$build/test" -j "$jobs" -k 0 tidy
 }

@@ -12,7 +12,7 @@ import { ConfirmDialog } from "./mission/confirm.tsx";
 import { Questions } from "./questions/questions.tsx";
 import { useWatching } from "./selection/use_watched.ts";
 import { kNarrow } from "./session/layout.ts";
-import { type Session, SessionContext, usePart, useSession, useUi } from "./session/session.ts";
+import { type Session, SessionContext, useIsElsewhen, usePart, useSession, useUi } from "./session/session.ts";
 import { Banners } from "./shell/banners.tsx";
 import { Dock, Rail } from "./shell/dock.tsx";
 import { MapPane, ToolOptions } from "./shell/map_pane.tsx";
@@ -25,6 +25,7 @@ import { NewMissionDialog, OpenDialog, SaveAsDialog } from "./start/file_dialogs
 import { StartPage } from "./start/start_page.tsx";
 import { Waiting } from "./start/waiting.tsx";
 import { useRevealTeleoperation } from "./teleoperation/use_reveal.ts";
+import { TimeLine } from "./time/time_line.tsx";
 import "../ui/styles/tokens.css";
 import "../ui/styles/base.css";
 import "../ui/styles/controls.css";
@@ -52,8 +53,11 @@ function Page() {
   useCalls();
   const link = usePart("link");
   const isKnown = usePart("welcome") !== null;
+  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const isElsewhen = useIsElsewhen() && !isRecording;
+  const moment = isElsewhen ? "elsewhen" : isRecording ? "" : "at-now";
   return (
-    <div className={`app ${isKnown && isStale(link) ? "stale" : ""}`}>
+    <div className={`app ${isKnown && isStale(link) ? "stale" : ""} ${moment}`}>
       <TopBar />
       <Work />
       <Silence link={link} />
@@ -66,7 +70,9 @@ function Work() {
   const project = usePart("project");
   const welcome = usePart("welcome");
   const isNarrow = useUi("room").width < kNarrow;
-  const hasMap = welcome !== null && project !== null && project.mission !== "";
+  // What a recording was made from is in it, and no file of the project.
+  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const hasMap = welcome !== null && project !== null && (project.mission !== "" || isRecording);
   if (!hasMap) {
     return (
       <>
@@ -99,6 +105,7 @@ function Work() {
         <Rail side="right" />
       </div>
       <Dock side="bottom" />
+      <TimeLine />
       <Strip />
       {isNarrow && (
         <div className="over-page">
@@ -147,7 +154,9 @@ function usePageTheme(): void {
 }
 
 function useTitle(): void {
-  const name = usePart("plan")?.name;
+  const plan = usePart("plan")?.name;
+  const recording = usePart("timeLine")?.recording;
+  const name = recording ? `Recording ‘${recording}’` : plan;
   const isDirty = usePart("edits")?.isDirty ?? false;
   useEffect(() => {
     document.title = `${isDirty ? "• " : ""}${name ? `${name} – ` : ""}missionlab`;

@@ -182,3 +182,48 @@ test("how failsafes stand is kept until it changes, and forgotten with the run",
   frame(4n, 0.1, [stand(2, 55)]);
   expect([...model.get("standings").keys()]).toEqual([2]);
 });
+
+test("who looks back may order nothing until it is told of now again", () => {
+  const model = new Model();
+  say(model, { case: "welcome", value: { client: 7 } });
+  say(model, { case: "clients", value: { operator: 7 } });
+  expect(model.mayOrder()).toBe(true);
+  say(model, { case: "moment", value: { isNow: false, time: 3 } });
+  expect([model.isElsewhen(), model.mayOrder(), model.isOperator()]).toEqual([true, false, true]);
+  say(model, { case: "moment", value: { isNow: true } });
+  expect(model.mayOrder()).toBe(true);
+  say(model, { case: "moment", value: { isNow: false, time: 3 } });
+  say(model, { case: "welcome", value: { client: 7 } }); // the connection was lost, and is another one
+  expect(model.mayOrder()).toBe(true);
+  say(model, { case: "timeLine", value: { recording: "demo_c", end: 300 } });
+  expect([model.isRecording(), model.mayOrder()]).toEqual([true, false]);
+});
+
+test("an earlier moment keeps the trails that came for it, and what goes on is not taken from there", () => {
+  const model = new Model();
+  const series = vi.fn();
+  model.onSeries(series);
+  say(model, { case: "frame", value: { number: 1n, time: 50, robots: record(4, 90) } });
+  say(model, { case: "moment", value: { isNow: false, time: 20 } });
+  const points = new Uint8Array(Float32Array.of(1, 0, 10, 2, 0, 20).buffer);
+  say(model, { case: "trails", value: { trails: [{ robot: 4, points }] } });
+  say(model, { case: "frame", value: { number: 2n, time: 20, robots: record(4, 2), series: {} } });
+  expect(model.trails.get(4)?.count).toBe(2);
+  expect(series).not.toHaveBeenCalled();
+  // Further back without trails of its own: what is known of later goes.
+  say(model, { case: "frame", value: { number: 3n, time: 12, robots: record(4, 1) } });
+  expect(model.trails.get(4)?.count).toBe(1);
+});
+
+test("robots don't glide from one moment to another one, but do while time passes there", () => {
+  const model = new Model();
+  const take = vi.spyOn(model.glide, "take");
+  say(model, { case: "status", value: { mode: Status_Mode.RUNNING } });
+  say(model, { case: "moment", value: { isNow: false, time: 20 } });
+  say(model, { case: "frame", value: { number: 1n, time: 20, robots: record(4, 2) } });
+  say(model, { case: "frame", value: { number: 2n, time: 30, robots: record(4, 3) } });
+  expect(take.mock.lastCall?.[1]).toBe(0);
+  say(model, { case: "moment", value: { isNow: false, time: 30, speed: 2 } });
+  say(model, { case: "frame", value: { number: 3n, time: 30.1, robots: record(4, 4) } });
+  expect(take.mock.lastCall?.[1]).toBeCloseTo(0.1);
+});

@@ -5,6 +5,7 @@ import { Glide } from "./glide.ts";
 import { applyMissionOptions, kDefaultSettings, type MapSettings } from "./map_settings.ts";
 import { PointTable } from "./packed.ts";
 import {
+  type Bookmarks,
   type Breakpoint,
   type Clients,
   type Documents,
@@ -15,8 +16,11 @@ import {
   type Frame,
   type Halted,
   type HeldValues_Held,
+  type Journal,
   type Log,
   type Log_Entry,
+  type Moment,
+  type OtherFuture,
   type Plan,
   type Project,
   type Questions_Question,
@@ -26,6 +30,7 @@ import {
   type SeriesData,
   type Status,
   Status_Mode,
+  type TimeLine,
   type ToBrowser,
   type Trails,
   type Welcome,
@@ -60,12 +65,22 @@ export interface Parts {
   halted: Halted | null;
   /** Outputs of robots' programs that somebody holds. */
   held: readonly HeldValues_Held[];
+  /** Runs that did not end, and whether what is done outlives the server. */
+  journal: Journal | null;
   /** The mission's table of failsafes, the highest rank first. */
   failsafes: readonly Failsafes_Row[];
   /** What may be tried with them. */
   failsafeBounds: Failsafes_Bounds | null;
   /** How its rows stand for robots that are watched for it, by id; announced at most ten times a second. */
   standings: ReadonlyMap<number, FailsafeStandings>;
+  /** How far the run is known, and whether other moments of it can be looked at; null: the server does not say. */
+  timeLine: TimeLine | null;
+  /** Moments that people have marked, by time; null: the server does not say. */
+  bookmarks: Bookmarks | null;
+  /** Which moment this browser is told of; null: now. */
+  moment: Moment | null;
+  /** How the run would have gone on with something else, or the recording that it is compared with; null: none. */
+  otherFuture: OtherFuture | null;
   /** Run time of the newest frame [s]; announced at most ten times a second. */
   time: number;
   /** Details of watched robots, by id; announced at most ten times a second. `Model.detail` has the newest. */
@@ -138,9 +153,14 @@ export class Model extends Store<Parts> {
       breakpoints: [],
       halted: null,
       held: [],
+      journal: null,
       failsafes: [],
       failsafeBounds: null,
       standings: new Map(),
+      timeLine: null,
+      bookmarks: null,
+      moment: null,
+      otherFuture: null,
       time: 0,
       details: new Map(),
       selection: kNothing,
@@ -170,6 +190,21 @@ export class Model extends Store<Parts> {
     return client !== 0 && this.get("clients")?.operator === client;
   }
 
+  /** Whether what is shown is of another moment than now; in a recording it always is. */
+  isElsewhen(): boolean {
+    return this.get("moment")?.isNow === false || this.isRecording();
+  }
+
+  /** Whether a recording was opened: nothing goes on in it. */
+  isRecording(): boolean {
+    return (this.get("timeLine")?.recording ?? "") !== "";
+  }
+
+  /** Whether the server takes orders of this browser: it is the operator's, and looks at what goes on. */
+  mayOrder(): boolean {
+    return this.isOperator() && !this.isElsewhen();
+  }
+
   /**
    * Where the robot is: from the frame, or from its detail where the frame leaves it out; before it is started where
    * it will be.
@@ -197,6 +232,19 @@ export class Model extends Store<Parts> {
       case "welcome":
         this.welcome(body.value);
         break;
+      case "plan":
+      case "clients":
+      case "edits":
+      case "documents":
+      case "project":
+      case "timeLine":
+      case "bookmarks":
+      case "moment":
+        this.set(body.case, body.value);
+        break;
+      case "otherFuture":
+        this.set("otherFuture", body.value.name === "" ? null : body.value);
+        break;
       case "frame":
         this.takeFrame(body.value);
         break;
@@ -209,9 +257,6 @@ export class Model extends Store<Parts> {
       case "starts":
         this.takeStarts(body.value.robots);
         break;
-      case "plan":
-        this.set("plan", body.value);
-        break;
       case "status":
         this.takeStatus(body.value);
         break;
@@ -221,18 +266,6 @@ export class Model extends Store<Parts> {
       case "log":
         this.takeLog(body.value);
         break;
-      case "clients":
-        this.set("clients", body.value);
-        break;
-      case "edits":
-        this.set("edits", body.value);
-        break;
-      case "documents":
-        this.set("documents", body.value);
-        break;
-      case "project":
-        this.set("project", body.value);
-        break;
       case "breakpoints":
         this.set("breakpoints", body.value.breakpoints);
         break;
@@ -241,6 +274,9 @@ export class Model extends Store<Parts> {
         break;
       case "heldValues":
         this.set("held", body.value.values);
+        break;
+      case "journal":
+        this.set("journal", body.value);
         break;
       case "failsafes":
         this.set("failsafes", body.value.rows);
@@ -254,26 +290,30 @@ export class Model extends Store<Parts> {
 
   takeFrame(frame: Frame): void {
     const before = this.time;
-    if (frame.time < before) this.forgetPast();
+    if (frame.time < before) this.goBack(frame.time);
     this.frameNumber = frame.number;
     this.time = frame.time;
     this.cycle = Number(frame.cycle);
     this.robotsElsewhere = frame.robotsElsewhere;
-    const advanced = this.isRunning() ? frame.time - before : 0;
+    const advanced = this.passes() ? frame.time - before : 0;
     this.robots.accept(frame.robots, this.glide.take(performance.now(), advanced));
     this.stations.accept(frame.stations);
     this.vectors.accept(frame.vectors);
     this.takeObjects(frame.objects);
-    this.extendTrails();
+    // From one moment to another one nobody went straight.
+    if (!this.isElsewhen() || this.passes()) this.extendTrails();
     this.newest.clear();
     for (const detail of frame.details) this.newest.set(detail.id, detail);
     this.takeStandings(frame.failsafes);
-    if (frame.series) for (const listener of this.seriesListeners) listener(frame.series);
+    // Of another moment they are none of what goes on.
+    if (frame.series && !this.isElsewhen()) for (const listener of this.seriesListeners) listener(frame.series);
     for (const listener of this.frameListeners) listener();
     this.announceSoon();
   }
 
-  private isRunning(): boolean {
+  /** Whether time passes in what is shown; a jump to another moment is none. */
+  private passes(): boolean {
+    if (this.isElsewhen()) return (this.get("moment")?.speed ?? 0) > 0;
     const mode = this.get("status")?.mode;
     return mode === Status_Mode.RUNNING || mode === Status_Mode.WAITING;
   }
@@ -284,9 +324,14 @@ export class Model extends Store<Parts> {
       this.forgetPast();
       this.robots.clear();
       this.set("log", []);
+      this.set("timeLine", null);
+      this.set("bookmarks", null);
       this.set("questions", []);
       this.set("selection", kNothing);
     }
+    // A connection begins at now, also where one before it looked elsewhere.
+    this.set("moment", null);
+    this.set("otherFuture", null);
     this.set("welcome", welcome);
   }
 
@@ -366,10 +411,21 @@ export class Model extends Store<Parts> {
     this.trails.extend(this.robots, this.time);
   }
 
-  /** Time went back: a restart. */
+  /** A restart, or an earlier moment is looked at, whose trails have come before: what they say of later is forgotten. */
+  private goBack(to: number): void {
+    this.trails.cut(to);
+    this.forgetChanges();
+  }
+
+  /** It is another server's. */
   private forgetPast(): void {
     this.time = 0;
     this.trails.clear();
+    this.forgetChanges();
+  }
+
+  /** Of which frames tell what has changed alone. */
+  private forgetChanges(): void {
     this.movedObjects.clear();
     this.standings.clear();
     this.hasNewStandings = true;

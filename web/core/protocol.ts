@@ -2,10 +2,13 @@
 import { create, fromBinary, type MessageInitShape, toBinary } from "@bufbuild/protobuf";
 import { type ToBrowser, ToBrowserSchema, ToServerSchema } from "../generated/mlab/console_pb.ts";
 
+export * from "../generated/mlab/console_bookmarks_pb.ts";
+export * from "../generated/mlab/console_futures_pb.ts";
 export * from "../generated/mlab/console_map_pb.ts";
 export * from "../generated/mlab/console_orders_pb.ts";
 export * from "../generated/mlab/console_pb.ts";
 export * from "../generated/mlab/console_state_pb.ts";
+export * from "../generated/mlab/console_time_pb.ts";
 
 /** The version that Hello announces. */
 export const kProtocol = 1;

@@ -47,6 +47,10 @@ export class RosterIndex {
     return this.roster?.programs[program]?.ports ?? [];
   }
 
+  programNames(): string[] {
+    return (this.roster?.programs ?? []).map(({ name }) => name);
+  }
+
   programOf(id: number): string {
     return this.roster?.programs[this.byId.get(id)?.program ?? kNone]?.name ?? "";
   }

@@ -28,6 +28,13 @@ export class Trail {
     ++this.count;
   }
 
+  /** Forgets what came after a moment. @returns whether there was something */
+  cut(time: number): boolean {
+    const before = this.count;
+    while (this.count > 0 && this.time(this.count - 1) > time) --this.count;
+    return this.count < before;
+  }
+
   x(index: number): number {
     return this.points[this.at(index) * 3]!;
   }
@@ -74,6 +81,14 @@ export class TrailStore {
   clear(): void {
     this.trails.clear();
     ++this.generation;
+  }
+
+  /** Forgets what came after a moment, to the accuracy of its times. */
+  cut(time: number): void {
+    const last = Math.fround(time);
+    let isLess = false;
+    for (const trail of this.trails.values()) isLess = trail.cut(last) || isLess;
+    if (isLess) ++this.generation;
   }
 
   replace(message: Trails): void {

@@ -96,7 +96,7 @@ function Page() {
 function Work() {
   const shown = usePart((state) => state.shown);
   const isCompared = usePart((state) => comparedWith(state) !== undefined);
-  const { live: Live, tests: Tests } = useDesigner().extensions;
+  const { live: Live, tests: Tests, bottom: Bottom } = useDesigner().extensions;
   return (
     <>
       <div className="work">
@@ -133,6 +133,7 @@ function Work() {
       {isCompared && <BottomPane name="Differences" header={<DifferencesHeader />} panel={<DifferencesPanel />} />}
       {shown.tests && Tests && <BottomPane name="Tests" header={<Tests.header />} panel={<Tests.panel />} />}
       {shown.problems && <Problems />}
+      {Bottom && <Bottom />}
       <Strip />
     </>
   );

@@ -3,8 +3,10 @@ import type { Extensions } from "../designer/session/extensions.ts";
 import { liveActions } from "./panes/actions.ts";
 import { LiveDetails } from "./panes/live_details.tsx";
 import { LiveInputs } from "./panes/live_inputs.tsx";
+import { LiveLine } from "./panes/live_line.tsx";
 import { LiveSide } from "./panes/live_side.tsx";
 import { liveMenu } from "./panes/menu.ts";
+import { OverDrawing } from "./panes/over_drawing.tsx";
 import { RunBar } from "./panes/run_bar.tsx";
 import { testActions } from "./tests/actions.ts";
 import { CycleBanner } from "./tests/cycle_banner.tsx";
@@ -17,6 +19,7 @@ export const extensions: Extensions = {
   inputs: LiveInputs,
   menu: liveMenu,
   actions: (designer) => [...liveActions(designer), ...testActions(designer)],
+  bottom: LiveLine,
   tests: { header: TestsHeader, panel: TestsPanel },
-  over: CycleBanner,
+  over: [OverDrawing, CycleBanner],
 };

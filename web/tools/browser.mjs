@@ -4,6 +4,9 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
+/** Without a browser's own windows it takes a quarter less of the processor. */
+const kBrowser = process.env.CHROMIUM ?? "/usr/bin/chromium-headless-shell";
+
 const kArguments = [
   "--headless",
   "--no-sandbox",
@@ -17,7 +20,7 @@ const kArguments = [
 /** One browser for many: who connects to `address` gets contexts of its own, which end with the connection. */
 export async function serveBrowser() {
   const server = await chromium.launchServer({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    executablePath: kBrowser,
     args: [...kArguments, "--disable-gpu"],
   });
   return { address: server.wsEndpoint(), close: () => server.close() };
@@ -30,7 +33,7 @@ export async function openBrowser({ withGl = false } = {}) {
     ? (process.env.MLAB_GL ?? "--use-angle=swiftshader --enable-unsafe-swiftshader").split(" ")
     : ["--disable-gpu"];
   const context = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    executablePath: kBrowser,
     args: [...kArguments, ...gl],
     viewport: null,
   });

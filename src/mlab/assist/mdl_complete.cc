@@ -31,6 +31,8 @@ constexpr auto kOptions = std::to_array<Option>({
     {Word::kRobotLength, true, false, "for drawing"},
     {Word::kZoomFactor, true, false, "10 to 400 per cent"},
     {Word::kCycleDuration, true, true, "0.01 to 1 second"},
+    {Word::kFailingRobots, true, false, "how many fail in each simulated run"},
+    {Word::kFailuresWithin, true, false, "seconds after their start, at the latest"},
     {Word::kSeed, true, false, "for CREATE-OBSTACLES"},
     {Word::kObstacleCoverage, true, false, "0 to 30 per cent of the area"},
     {Word::kMinObstacleRadius, true, false, "metres"},

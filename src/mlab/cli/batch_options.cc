@@ -40,6 +40,14 @@ void add_batch(CLI::App& app, BatchOptions& o) {
       ->check(CLI::Range(1, 256))
       ->type_name("N");
   c->add_flag("--resume", o.resumes, "go on with a batch that was interrupted");
+  c->add_flag(
+      "--merge", o.merges,
+      "carry nothing out: the table and the page of what several processes have done, once all is done");
+  c->add_option(
+       "--rank", o.rank,
+       "which of how many processes that do this batch together, from 0 on (default: as mpirun, srun "
+       "and Slurm's arrays say); none: this one does all")
+      ->type_name("R/N|none");
   c->add_flag("--strict", o.strict, "warnings keep the mission from running (exit status 1)");
   c->add_flag("--quiet", o.quiet, "print no progress and no table");
   c->add_flag("--allow-native", o.allow_native,

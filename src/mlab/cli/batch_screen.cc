@@ -82,6 +82,8 @@ void print_failures(const study::Summary& summary) {
     const study::FailureGroup& group = summary.failures[i];
     fmt::print("  {} x {}\n      {}\n", group.count, text::shown(group.cause, 120),
                text::shown(group.command, 1000));
+    if (!group.recording.empty())
+      fmt::print("      {}\n", text::shown(study::replay_of(group.recording), 1000));
   }
   if (summary.failures.size() > kMostCauses)
     fmt::print("  and {} more causes\n", summary.failures.size() - kMostCauses);

@@ -2,8 +2,9 @@
 
 namespace mlab::cli {
 
-/// The texts of bench/diffusion.cnl and bench/schemas.cnl, compiled in.
+/// The texts of bench/diffusion.cnl, bench/schemas.cnl and bench/steered.cnl, compiled in.
 extern const char* const kDiffusionNetwork;
 extern const char* const kSchemasNetwork;
+extern const char* const kSteeredNetwork;
 
 }  // namespace mlab::cli

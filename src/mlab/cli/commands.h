@@ -40,7 +40,10 @@ struct RunOptions {
   bool quiet = false;
   bool allow_native = false;
   bool no_cell = false;
-  bool no_record = false;  ///< the console records nothing
+  bool no_record = false;            ///< the console makes no recording
+  bool resume = false;               ///< the console goes on with the newest run that did not end
+  bool records_for_viewers = false;  ///< beside the history, what other people's viewers show
+  double viewer_rate = 10.0;         ///< of poses for these [Hz, of simulated time]
   RobotsAt robots = RobotsAt::kRun;
   NetworkOptions network;     ///< of kFleet
   bool real_time = false;     ///< its robots are not waited for
@@ -72,6 +75,9 @@ struct RunOptions {
   // Of the designer, which is the console with one page more.
   bool edits = false;
   std::string configuration;  ///< file to open first; empty: none
+
+  std::string recording;  ///< of a run, that is shown in place of one; empty: none
+  std::string against;    ///< of another one, that is shown beside it; empty: none
 };
 int run(const RunOptions& options);
 /// `run` without `headless`: serves the operator console until it is interrupted.
@@ -80,16 +86,21 @@ int run_console(const RunOptions& options);
 int edit(RunOptions options);
 
 struct ReplayOptions {
-  std::string recording;  ///< empty: those that the console has recorded are listed
-  std::string report;     ///< file; empty: none
-  std::string project;    ///< folder; empty: the current one
+  std::string recording;             ///< empty: those that the console has recorded are listed
+  std::string report;                ///< file; empty: none
+  std::string record;                ///< MCAP file in which it is recorded once more; empty: none
+  bool records_for_viewers = false;  ///< as RunOptions
+  double viewer_rate = 10.0;         ///< likewise
+  bool headless = false;             ///< in the terminal
+  RunOptions page;  ///< else: where and how it is shown; its project is the one whose runs are listed
   bool quiet = false;
   bool keep = false;          ///< it is only marked: the console does not make room by it
   bool no_keep = false;       ///< the mark is taken away
   robot_host::Limits limits;  ///< of robots with code of their own
   int threads = 1;
 };
-/// Computes a recorded run again, and says whether it is the same.
+/// Shows a recorded run in the browser, or computes it again in the terminal, and says whether it is the
+/// same.
 int replay(const ReplayOptions& options);
 
 struct TraceOptions {
@@ -104,11 +115,26 @@ struct TraceOptions {
 /// Says what ports of a recorded run held, as CSV.
 int trace(const TraceOptions& options);
 
+struct CompareOptions {
+  std::string first;   ///< recording
+  std::string second;  ///< likewise
+  std::string page;    ///< HTML file; empty: none
+  bool json = false;
+  bool quiet = false;         ///< no progress, and only what came out
+  robot_host::Limits limits;  ///< of robots with code of their own
+  int threads = 1;
+};
+/// Says where two recorded runs part, and why.
+/// @return kDone: they are the same; kFailed: they are not; kBadInput: one of them can't be read
+int compare(const CompareOptions& options);
+
 struct BatchOptions {
   std::string file;  ///< a mission, or the definition of a batch (.toml)
   std::vector<std::pair<std::string, std::string>> given;  ///< fields of the definition, in their order
   int threads = 1;
   bool resumes = false;
+  bool merges = false;
+  std::string rank;  ///< `1/3`, `none`; empty: as the environment says
   bool strict = false;
   bool quiet = false;
   bool allow_native = false;

@@ -23,10 +23,6 @@ robot_build::Toolchain toolchain() {
   return out;
 }
 
-std::vector<std::string> overlay_folders() {
-  return {(fs::path(prefix()) / "share" / "mlab" / "overlays").string()};
-}
-
 assist::Surroundings surroundings(const cell::Permission& permission) {
   assist::Surroundings out;
   out.overlay_folders = overlay_folders();

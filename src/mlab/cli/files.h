@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "mlab/assist/service.h"
 #include "mlab/cell/permission.h"
@@ -12,8 +11,6 @@ namespace mlab::cli {
 
 /// What robot executables are made with, of the installation or of what mlab was built from.
 robot_build::Toolchain toolchain();
-/// Where overlays are looked for after the mission's own folder.
-std::vector<std::string> overlay_folders();
 /// The component library's texts: of the installation, or of what it was built from.
 std::string library_folder();
 /// What stands beside a text that is checked or edited.

@@ -168,6 +168,10 @@ void add_edit(CLI::App& app, RunOptions& o) {
   c->add_option("file", o.configuration, "the configuration")->type_name("FILE.cdl");
   c->add_flag("--allow-native", o.allow_native, "let people on other machines bring code of their own");
   add_cell(c, o);
+  c->add_option("--recording", o.recording,
+                "show this recorded run on the drawing, in place of one that goes on")
+      ->check(CLI::ExistingFile)
+      ->type_name("RUN.mcap");
   add_console(c, o, "Where and how");
 }
 
@@ -478,6 +482,7 @@ struct AllOptions {
   KeysOptions keys;
   ReplayOptions replay;
   TraceOptions trace;
+  CompareOptions compare;
   NewOptions fresh;
   OwnOptions own;
   bool says_stdio = false;
@@ -501,9 +506,12 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_bench(app, o.bench);
   add_agent_options(app.add_subcommand("agent", kAgentDescription), o.agent);
   add_fleet(app, o.fleet);
-  o.replay.threads = o.trace.replay.threads = o.run.threads;
-  add_replay_options(app.add_subcommand("replay", kReplayDescription), o.replay);
+  o.replay.threads = o.trace.replay.threads = o.compare.threads = o.run.threads;
+  CLI::App* const replay = app.add_subcommand("replay", kReplayDescription);
+  add_replay_options(replay, o.replay);
+  add_console(replay, o.replay.page, "Where and how it is shown");
   add_trace_options(app.add_subcommand("trace", kTraceDescription), o.trace);
+  add_compare_options(app.add_subcommand("compare", kCompareDescription), o.compare);
   add_keys(app, o.keys);
   add_lsp(app, o.says_stdio);
   add_new(app, o.fresh);
@@ -527,6 +535,7 @@ int do_as_told(CLI::App& app, const AllOptions& o) {
   if (app.got_subcommand("keys")) return keys(o.keys);
   if (app.got_subcommand("replay")) return replay(o.replay);
   if (app.got_subcommand("trace")) return trace(o.trace);
+  if (app.got_subcommand("compare")) return compare(o.compare);
   if (app.got_subcommand("new")) return make_new(o.fresh);
   if (!app.got_subcommand("bench")) return show_own(app, o.own);
   return bench(o.bench);

@@ -20,8 +20,8 @@ cell::Permission permission_to_build(const BuildOptions& options);
 /// without being told to; or else the executable that it offers, which whoever started it names.
 cell::Permission permission_to_carry(const AgentOptions& options);
 
-/// Of `replay` and `trace`: the code is what a recording brings, which may be a stranger's. In a cell or not
-/// at all.
+/// Of `replay`, `trace` and `compare`: the code is what a recording brings, which may be a stranger's. In a
+/// cell or not at all.
 cell::Permission permission_to_replay();
 
 /// Of `run` and `edit`.

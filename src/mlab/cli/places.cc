@@ -12,12 +12,32 @@
 namespace mlab::cli {
 namespace fs = std::filesystem;
 
+namespace {
+
+std::string prefix_of_host;  // empty: this is a program of ours
+
+// Of a host that has no such program beside it; empty where there is none, or this is a program of ours.
+std::string runner_of_host() {
+  for (const char* const place : {"bin/mlab-robots", "libexec/mlab/mlab-robots"}) {
+    const std::string path = (fs::path(prefix_of_host) / place).string();
+    if (!prefix_of_host.empty() && ::access(path.c_str(), X_OK) == 0) return path;
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string environment_variable(const char* name) {
   const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing sets variables
   return value == nullptr ? "" : value;
 }
 
+void set_prefix(const std::string& folder) {
+  prefix_of_host = folder;
+}
+
 std::string prefix() {
+  if (!prefix_of_host.empty()) return prefix_of_host;
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error).parent_path().parent_path().string();
 }
@@ -31,7 +51,13 @@ std::string include_root() {
 }
 
 robot::ProgramSources program_sources(const std::string& folder, const cell::Permission& permission) {
-  return {permission, folder, include_root(), kVersion};
+  robot::ProgramSources out{permission, folder, include_root(), kVersion};
+  out.runner = runner_of_host();
+  return out;
+}
+
+std::vector<std::string> overlay_folders() {
+  return {(fs::path(prefix()) / "share" / "mlab" / "overlays").string()};
 }
 
 std::string state_folder() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mlab/cell/permission.h"
 #include "mlab/robot/program/robot_program.h"
@@ -12,6 +13,10 @@ namespace mlab::cli {
 std::string environment_variable(const char* name);
 /// Of the installation, or of the build folder: both have the program in bin/.
 std::string prefix();
+/// Where this is no program of ours, as in Python: to be called before anything else is.
+void set_prefix(const std::string& folder);
+/// Where overlays are looked for after the mission's own folder.
+std::vector<std::string> overlay_folders();
 /// The headers for procedures that a mission brings: of the installation, or of the source tree that this was
 /// built from. Empty: there are none.
 std::string include_root();

@@ -20,26 +20,34 @@ void warn(const std::string& text) {
   fmt::print(stderr, "{}{}\n", colored("warning: ", Color::kWarning), text);
 }
 
-void tell_circumstances(const wire::HistoryBeginning& beginning) {
+}  // namespace
+
+std::vector<std::string> remarks_on(const wire::HistoryBeginning& beginning) {
+  std::vector<std::string> out;
   if (beginning.version() != kVersion)
-    warn(fmt::format("it was recorded by missionlab {}, and this is {}: what is computed again may differ",
-                     text::shown(beginning.version()), kVersion));
+    out.push_back(
+        fmt::format("it was recorded by missionlab {}, and this is {}: what is computed again may differ",
+                    text::shown(beginning.version()), kVersion));
   if (beginning.arithmetic() != robot_wire::arithmetic())
-    warn("it was recorded on a machine that rounds otherwise: what is computed again may differ");
+    out.emplace_back("it was recorded on a machine that rounds otherwise: what is computed again may differ");
+  return out;
 }
 
-}  // namespace
+std::shared_ptr<history::History> read_history(const std::string& path) {
+  auto recording = history::read_recording(path);
+  if (!recording) {
+    tell(recording.error());
+    return nullptr;
+  }
+  if (!recording->cut.empty()) warn(fmt::format("`{}`: {}", text::shown(path), recording->cut));
+  for (const std::string& remark : remarks_on(recording->history->beginning())) warn(remark);
+  return std::move(recording->history);
+}
 
 RecordedRun open_recording(const ReplayOptions& options) {
   RecordedRun out;
-  auto recording = history::read_recording(options.recording);
-  if (!recording) {
-    tell(recording.error());
-    return out;
-  }
-  out.history = std::move(recording->history);
-  if (!recording->cut.empty()) warn(fmt::format("`{}`: {}", text::shown(options.recording), recording->cut));
-  tell_circumstances(out.history->beginning());
+  out.history = read_history(options.recording);
+  if (!out.history) return out;
   text::Diagnostics problems;
   out.replay = history::Replay::make(
       out.history, {permission_to_replay(), include_root(), kVersion, options.limits, options.threads},

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mlab/cli/commands.h"
 #include "mlab/history/replay.h"
@@ -14,9 +15,16 @@ struct RecordedRun {
   std::unique_ptr<history::Replay> replay;          ///< null: it can't be computed again, which was told
 };
 
+/// Reads a recording, and tells on standard error what is wrong with it.
+/// @return null where it can't be read
+std::shared_ptr<history::History> read_history(const std::string& path);
+
 /// Reads the recording, and tells on standard error what is wrong with it. How it was recorded by another
 /// program, or on another machine, and how far it can be read, is told as well.
 RecordedRun open_recording(const ReplayOptions& options);
+
+/// That it was recorded by another program, or on another machine: sentences.
+std::vector<std::string> remarks_on(const wire::HistoryBeginning& beginning);
 
 /// What became of a run that was computed again, as a line; what is not as it was comes first.
 std::string outcome_of(const history::Replay& replay);

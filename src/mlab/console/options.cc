@@ -1,7 +1,4 @@
-#include <string>
-#include <vector>
-
-#include "mlab/console/run/live_run.h"
+#include "mlab/console/published/status_encoder.h"
 
 namespace mlab::console {
 namespace {
@@ -30,12 +27,11 @@ constexpr Switch kSwitches[] = {
 
 }  // namespace
 
-std::vector<std::string> options_on(const Options& options) {
-  std::vector<std::string> out;
+void encode_options(const Options& options, Status& out) {
   for (const Switch& known : kSwitches) {
-    if (options.*known.value) out.emplace_back(known.name);
+    if (options.*known.value) out.add_options(known.name);
   }
-  return out;
+  out.set_zoom_percent(options.zoom_percent);
 }
 
 }  // namespace mlab::console

@@ -110,6 +110,18 @@ std::optional<std::string> Roles::pass(std::uint32_t from, std::uint32_t to) {
   return std::nullopt;
 }
 
+void Roles::recall(std::vector<Client> clients, std::uint32_t operator_id, double now) {
+  if (last_ != 0) return;
+  for (Client& one : clients) {
+    if (one.id == 0 || one.key.empty() || find(one.id) != nullptr) continue;
+    last_ = std::max(last_, one.id);
+    one.connection = {};
+    one.left = now;
+    if (one.id == operator_id) operator_ = operator_id;
+    clients_.push_back(std::move(one));
+  }
+}
+
 void Roles::encode(Clients& out) const {
   for (const Client& client : clients_) {
     Clients::Client& told = *out.add_clients();

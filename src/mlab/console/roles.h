@@ -56,6 +56,12 @@ class Roles {
   /// @errors  a sentence: not the operator, nobody of that number is here
   std::optional<std::string> pass(std::uint32_t from, std::uint32_t to);
 
+  /// In the order in which they came, those who are away for a while too.
+  const std::vector<Client>& clients() const { return clients_; }
+  /// Those of an earlier session, who are away until they come back with their keys. Only where nobody has
+  /// come yet.
+  void recall(std::vector<Client> clients, std::uint32_t operator_id, double now);
+
   void encode(Clients& out) const;
 
  private:

@@ -35,6 +35,9 @@ std::vector<std::string> Session::end() {
 std::string Session::report() const {
   return core_->report();
 }
+void Session::tell_metrics(metrics::Exposition& out) const {
+  core_->tell_metrics(out);
+}
 bool Session::has_ended() const {
   return core_->has_ended();
 }

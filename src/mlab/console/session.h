@@ -9,6 +9,8 @@
 #include "mlab/cell/permission.h"
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
+#include "mlab/history/history.h"
+#include "mlab/metrics/exposition.h"
 #include "mlab/robot/host/limits.h"
 #include "mlab/run/mission_run.h"
 
@@ -22,6 +24,13 @@ struct RecordSettings {
   bool is_on = false;
   std::string folder;  ///< the shelf of the newest runs
   std::string file;    ///< of the first run, in place of one on the shelf; empty: on the shelf, too
+};
+
+/// A run that was recorded, to be looked at in place of one of the session's own.
+struct OpenRecording {
+  std::string name;                           ///< for people
+  std::shared_ptr<history::History> history;  ///< null: there is none
+  std::string path = {};                      ///< of the file; empty: bookmarks are not kept
 };
 
 /// What a session is started with.
@@ -42,6 +51,10 @@ struct SessionSettings {
   double speed = 10.0;  ///< simulated seconds per second; 0: as fast as it goes
   run::RunSettings run;
   RecordSettings record = {};
+  OpenRecording recording = {};     ///< then no mission is opened
+  OpenRecording against = {};       ///< that the recording is compared with
+  std::string journal_folder = {};  ///< where journals of its runs are kept; empty: nowhere
+  std::string resume = {};  ///< the journal of a run to go on with, in place of `mission`; empty: none
 };
 
 /// One mission with its documents, its run, and the people who look at it. Has a thread of its own, on which
@@ -82,6 +95,8 @@ class Session {
 
   /// The report of the run as it stands (docs/report.md).
   std::string report() const;
+  /// What a monitoring system is told (docs/metrics.md). Waits for nothing.
+  void tell_metrics(metrics::Exposition& out) const;
   /// The mission has ended, at least once.
   bool has_ended() const;
 

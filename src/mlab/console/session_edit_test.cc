@@ -15,7 +15,7 @@ using documents::testing::ScratchProject;
 using testing::Browser;
 using testing::TestSession;
 
-constexpr const char* kMission =
+constexpr const char* kEditedMission =
     "OVERLAY \"map.odl\"\n"
     "UNIT <pair> ROBOT ROBOT\n"
     "COMMAND LIST:\n"
@@ -41,7 +41,7 @@ class SessionEdit : public ::testing::Test {
     EXPECT_TRUE(wait_for(Status::READY));
   }
   void write() {
-    project_.write("project/far.mdl", kMission);
+    project_.write("project/far.mdl", kEditedMission);
     project_.write("project/map.odl", kMap);
   }
   bool wait_for(Status::Mode mode) {

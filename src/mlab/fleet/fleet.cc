@@ -20,11 +20,34 @@ std::uint32_t unit_of_team(const FleetRobot& robot) {
   return robot.team + 1;
 }
 
+// What a robot of this program measures its station from under the order.
+percept::FormationReference reference_of(const percept::Order& order, const robot::RobotProgram& program) {
+  using percept::FormationReference;
+  if (order.reference != FormationReference::kUnitCenter) return order.reference;
+  const double preset = program.number("formation_reference").value_or(0.0);
+  if (preset == static_cast<double>(FormationReference::kLeader)) return FormationReference::kLeader;
+  if (preset == static_cast<double>(FormationReference::kNeighbor)) return FormationReference::kNeighbor;
+  return FormationReference::kUnitCenter;
+}
+
 }  // namespace
 
 std::string_view name(RobotLife life) {
   constexpr std::array<std::string_view, 5> kNames = {"not started", "running", "parked", "stopped", "fault"};
   return kNames[static_cast<std::size_t>(life)];
+}
+
+Fault fault_of(const FleetRobot& robot) {
+  if (!robot.ailment.empty()) return Fault::kBody;
+  if (!robot.fault.empty()) return Fault::kNoNumber;
+  return robot.failure.empty() ? Fault::kNone : Fault::kProgram;
+}
+
+std::string_view name(Fault fault) {
+  constexpr std::array<std::string_view, 4> kNames = {
+      "", "its body failed", "its program put out something that is no number", "its program failed"};
+  const auto index = static_cast<std::size_t>(fault);
+  return index < kNames.size() ? kNames[index] : "";
 }
 
 std::string failure_of(const FleetRobot& robot) {
@@ -37,10 +60,10 @@ std::string failure_of(const FleetRobot& robot) {
 
 Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
              const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed,
-             std::unique_ptr<robot::ProgramRunner> elsewhere)
+             std::unique_ptr<robot::ProgramRunner> elsewhere, std::unique_ptr<robot::ProgramRunner> recorded)
     : binding_(binding),
       workers_(static_cast<std::size_t>(binding.workers().count())),
-      runners_(seed, binding.workers().count(), std::move(elsewhere)) {
+      runners_(seed, binding.workers().count(), std::move(elsewhere), std::move(recorded)) {
   for (const mission::Robot& declared : mission.robots) {
     now_.robots.push_back(make_robot(mission, declared, programs, bodies));
     enrol(now_.robots.back());
@@ -153,10 +176,12 @@ bool Fleet::start_program(FleetRobot& robot) {
   robot.ailment.clear();
   robot.notifications.clear();
   const auto problem = robot.runner != nullptr ? robot.runner->start(robot.member) : std::nullopt;
-  if (!problem) return true;
-  robot.failure = *problem;
-  robot.life = RobotLife::kFaulted;
-  return false;
+  if (problem) {
+    robot.failure = *problem;
+    robot.life = RobotLife::kFaulted;
+  }
+  if (witness_ != nullptr) witness_->note_start(robot);
+  return !problem;
 }
 
 // All members may come out of one group: it is told once, not by each.
@@ -202,6 +227,7 @@ void Fleet::order(const mission::effect::Order& effect) {
     group.formation_heading = leader.start.heading;
   }
   group.spacing = leader.program->number("formation_spacing").value_or(group.spacing);
+  group.reference = reference_of(group.order, *leader.program);
   group.slop = leader.program->number("formation_slop").value_or(group.slop);
   group.heading_trigger = leader.program->number("formation_default_trigger").value_or(group.heading_trigger);
 
@@ -305,6 +331,7 @@ void Fleet::run_programs(double dt) {
     if (robot.life == RobotLife::kRunning) robot.runner->join(robot.member);
   }
   for (const auto& runner : runners_) runner->open();
+  if (witness_ != nullptr) witness_->note_asked(now_.robots);
   binding_.workers().run(now_.robots.size(), kRobotsAtOnce,
                          [&](std::size_t begin, std::size_t end, int worker) {
                            for (std::size_t i = begin; i < end; i += kRobotsAtOnce) {
@@ -313,6 +340,7 @@ void Fleet::run_programs(double dt) {
                          });
   for (const auto& runner : runners_) runner->ask();
   for (const auto& runner : runners_) runner->wait(meanwhile_);
+  if (witness_ != nullptr) witness_->note_answered(now_.robots);
 }
 
 // Takes up what the robot's program answered.

@@ -30,6 +30,18 @@
 
 namespace mlab::fleet {
 
+/// Is told what the robots' programs answer, as it is before failsafes and bodies make something of it.
+class AnswerWitness {
+ public:
+  virtual ~AnswerWitness() = default;
+  /// The robot's program was brought to life, or was not: see its `failure`.
+  virtual void note_start(const FleetRobot& robot) = 0;
+  /// Those that run are asked now.
+  virtual void note_asked(std::span<const FleetRobot> robots) = 0;
+  /// They have answered.
+  virtual void note_answered(std::span<const FleetRobot> robots) = 0;
+};
+
 /// The robots of a run in this process: steps their programs against their bodies, all by the same seed.
 ///
 /// Per cycle: `step` computes what units have in common, senses, runs every program, moves all bodies, and
@@ -37,10 +49,14 @@ namespace mlab::fleet {
 class Fleet {
  public:
   /// @param programs   by index of the mission's robot types; outlive the fleet
-  /// @param elsewhere  as robot::ProgramRunners
+  /// @param elsewhere, recorded  as robot::ProgramRunners
   Fleet(const mission::Mission& mission, const std::vector<robot::RobotProgram>& programs,
         const std::vector<binding::BodySpec>& bodies, binding::Binding& binding, std::uint64_t seed,
-        std::unique_ptr<robot::ProgramRunner> elsewhere = nullptr);
+        std::unique_ptr<robot::ProgramRunner> elsewhere = nullptr,
+        std::unique_ptr<robot::ProgramRunner> recorded = nullptr);
+
+  /// @param witness  outlives this, or another one is set; null: there is none
+  void set_witness(AnswerWitness* witness) { witness_ = witness; }
 
   /// Brings a robot into the world.
   /// @return  where it stands
@@ -208,6 +224,7 @@ class Fleet {
   std::vector<Worker> workers_;
   robot::ProgramRunners runners_;
   robot::Meanwhile meanwhile_;
+  AnswerWitness* witness_ = nullptr;
   std::vector<binding::Ailment> ailments_;
 };
 

@@ -34,8 +34,11 @@ std::vector<flow::Restart> Fleet::exchange_program(FleetRobot& robot, const robo
   // Where it needs a process it is given one; what it begins with is put in place of then.
   std::vector<flow::Restart> restarts;
   if (const auto problem = runner->start(member)) restarts.push_back({after.type, *problem});
-  std::vector<flow::Restart> anew = runner->go_on_from(member, *robot.runner->values(robot.member));
-  restarts.insert(restarts.end(), anew.begin(), anew.end());
+  // Of a program that is only known by what it answered there is nothing to go on from.
+  if (const robot::RobotValues* const before = robot.runner->values(robot.member)) {
+    std::vector<flow::Restart> anew = runner->go_on_from(member, *before);
+    restarts.insert(restarts.end(), anew.begin(), anew.end());
+  }
   dismiss(robot);
   robot.runner = runner;
   robot.member = member;

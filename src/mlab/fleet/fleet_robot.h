@@ -75,6 +75,11 @@ struct FleetRobot {
 
   static constexpr std::uint32_t kNoGroup = 0xffffffffU;
 };
+/// What is wrong with a robot that stands because of it, apart from details.
+enum class Fault : std::uint8_t { kNone, kBody, kNoNumber, kProgram };
+Fault fault_of(const FleetRobot& robot);
+/// `its body is gone`, ...; empty for none
+std::string_view name(Fault fault);
 /// What its program or its body did instead of going on, as a sentence: `its program `scout` ended with exit
 /// status 3`. Empty: nothing, it has no fault.
 std::string failure_of(const FleetRobot& robot);

@@ -36,26 +36,55 @@ percept::UnitPercept unit_percept(const Group& group, std::size_t rank,
   return out;
 }
 
+namespace {
+
+// Where stations are measured from, and the station of who stands there.
+struct Origin {
+  geom::Pose pose;
+  geom::Vector station;
+};
+
+Origin origin_of(const Group& group, std::size_t rank, const std::vector<geom::Pose>& poses) {
+  using percept::FormationReference;
+  if (group.reference == FormationReference::kUnitCenter)
+    return {{group.center, group.formation_heading}, {}};
+  const std::size_t other = group.reference == FormationReference::kLeader ? 0 : rank - 1;
+  return {{poses[group.members[other]].position, group.formation_heading},
+          percept::station(group.order.formation, static_cast<int>(other),
+                           static_cast<int>(group.members.size()), group.spacing)};
+}
+
+// From the origin to the station, in the formation's frame.
+geom::Vector station_from(const Group& group, std::size_t rank, const Origin& origin) {
+  return percept::station(group.order.formation, static_cast<int>(rank),
+                          static_cast<int>(group.members.size()), group.spacing) -
+         origin.station;
+}
+
+}  // namespace
+
+bool has_station(const Group& group, std::size_t rank) {
+  return group.order.formation != percept::Formation::kNone && group.members.size() > 1 &&
+         (rank > 0 || group.reference == percept::FormationReference::kUnitCenter);
+}
+
 std::optional<geom::Point> station_place(const Group& group, std::size_t rank,
                                          const std::vector<geom::Pose>& poses) {
-  if (group.order.formation == percept::Formation::kNone || group.members.size() < 2) return std::nullopt;
-  const geom::Pose formation{group.center, group.formation_heading};
+  if (!has_station(group, rank)) return std::nullopt;
+  const Origin origin = origin_of(group, rank, poses);
   if (group.order.formation == percept::Formation::kSweep) {
-    const geom::Vector at = formation.to_robot(poses[group.members[rank]].position);
-    return formation.point_at({0.0, at.y, 0.0});
+    const geom::Vector at = origin.pose.to_robot(poses[group.members[rank]].position);
+    return origin.pose.point_at({0.0, at.y, 0.0});
   }
-  return formation.point_at(percept::station(group.order.formation, static_cast<int>(rank),
-                                             static_cast<int>(group.members.size()), group.spacing));
+  return origin.pose.point_at(station_from(group, rank, origin));
 }
 
 double station_error(const Group& group, std::size_t rank, const std::vector<geom::Pose>& poses) {
-  if (group.order.formation == percept::Formation::kNone || group.members.size() < 2) return 0.0;
-  const geom::Pose formation{group.center, group.formation_heading};
-  const geom::Vector station = percept::station(group.order.formation, static_cast<int>(rank),
-                                                static_cast<int>(group.members.size()), group.spacing);
-  const geom::Vector at = formation.to_robot(poses[group.members[rank]].position);
+  if (!has_station(group, rank)) return 0.0;
+  const Origin origin = origin_of(group, rank, poses);
+  const geom::Vector at = origin.pose.to_robot(poses[group.members[rank]].position);
   if (group.order.formation == percept::Formation::kSweep) return std::abs(at.x);
-  return geom::length(at - station);
+  return geom::length(at - station_from(group, rank, origin));
 }
 
 }  // namespace mlab::fleet

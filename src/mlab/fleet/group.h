@@ -22,6 +22,8 @@ struct Group {
   double spacing = 50.0;                                ///< between neighbours [m]
   double slop = 10.0;                                   ///< station error that counts as out of formation [m]
   double heading_trigger = 100.0;  ///< nearer to the goal the formation no longer turns [m]
+  percept::FormationReference reference =
+      percept::FormationReference::kUnitCenter;  ///< what its members measure their stations from
   bool has_center = false;
 };
 
@@ -31,12 +33,16 @@ void update_group(Group& group, const std::vector<geom::Pose>& poses);
 /// What the member of this rank knows of its group.
 percept::UnitPercept unit_percept(const Group& group, std::size_t rank, const std::vector<geom::Pose>& poses);
 
-/// How far the member of this rank is from its station, measured from the unit's centre [m]; in a sweep only
-/// along the heading. Zero where there is no formation to keep.
+/// Whether the member of this rank has a station: there is a formation, and it is not the one that others
+/// measure theirs from.
+bool has_station(const Group& group, std::size_t rank);
+
+/// How far the member of this rank is from its station, which is measured from the group's reference [m]; in
+/// a sweep only along the heading. Zero where it has none.
 double station_error(const Group& group, std::size_t rank, const std::vector<geom::Pose>& poses);
 
 /// Where the formation wants the member of this rank [m, world]; in a sweep beside where it is. Nothing where
-/// there is no formation to keep.
+/// it has no station.
 std::optional<geom::Point> station_place(const Group& group, std::size_t rank,
                                          const std::vector<geom::Pose>& poses);
 

@@ -66,6 +66,30 @@ TEST(StationError, IsTheDistanceFromTheStation) {
   EXPECT_EQ(station_error(group, 0, poses), 0.0);
 }
 
+TEST(StationError, IsMeasuredFromWhatTheRobotsMeasureTheirStationsFrom) {
+  using percept::FormationReference;
+  Group group = group_of({0, 1, 2});
+  group.order.formation = percept::Formation::kColumn;
+  group.spacing = 10;
+  const std::vector<geom::Pose> poses = {{{10, 3}, 0}, {{0, 3}, 0}, {{-10, 0}, 0}};
+  update_group(group, poses);
+  EXPECT_NEAR(station_error(group, 0, poses), 1.0, 1e-12) << "the centre is at y = 2";
+  group.reference = FormationReference::kLeader;
+  EXPECT_FALSE(has_station(group, 0));
+  EXPECT_EQ(station_error(group, 0, poses), 0.0);
+  EXPECT_FALSE(station_place(group, 0, poses));
+  EXPECT_NEAR(station_error(group, 1, poses), 0.0, 1e-12);
+  EXPECT_NEAR(station_error(group, 2, poses), 3.0, 1e-12);
+  group.reference = FormationReference::kNeighbor;
+  const std::vector<geom::Pose> bent = {{{10, 3}, 0}, {{0, 0}, 0}, {{-10, 0}, 0}};
+  update_group(group, bent);
+  EXPECT_NEAR(station_error(group, 1, bent), 3.0, 1e-12);
+  EXPECT_NEAR(station_error(group, 2, bent), 0.0, 1e-12) << "it is where the second one wants it";
+  const auto place = station_place(group, 2, bent);
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(geom::distance(*place, bent[2].position), 0.0, 1e-12);
+}
+
 TEST(StationPlace, IsWhereTheStationErrorIsMeasuredFrom) {
   Group group = group_of({0, 1});
   group.order.formation = percept::Formation::kColumn;

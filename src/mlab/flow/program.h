@@ -46,6 +46,14 @@ struct Contribution {
   geom::Vector weighted;  ///< gain times value [share of full strength, robot frame]
 };
 
+/// A node of a program with the wires that come into it, for who looks for what a value was made from.
+struct NodeWires {
+  const Behavior* behavior = nullptr;  ///< null: a sequence, a selection, a delay
+  std::uint32_t output = 0;            ///< offset of its value
+  std::vector<std::uint32_t> sources;  ///< offsets of what it may read: triggers and members, too
+  bool is_delay = false;               ///< it gives what its source was in the cycle before
+};
+
 /// A network made ready to run: operations in order and a port table. Immutable, shared by all robots of a
 /// kind; the values are in a Frame for each robot. `step` uses no heap, no strings, no locks.
 ///
@@ -160,6 +168,8 @@ class Program {
   /// How many nodes there are to evaluate, and how many operations remain after sharing.
   std::size_t node_count() const { return node_count_; }
   std::size_t instruction_count() const { return instructions_.size(); }
+  /// All nodes that have a value, and conversions between two; nodes that share one stand there once.
+  const std::vector<NodeWires>& wires() const { return wires_; }
   /// Some behavior of it is asynchronous.
   bool has_asynchronous() const { return !asyncs_.empty(); }
 
@@ -314,6 +324,7 @@ class Program {
   std::vector<AsyncCode> asyncs_;
   std::vector<NeedCode> needs_;
   std::vector<MixtureCode> mixtures_;
+  std::vector<NodeWires> wires_;
   bool needs_are_fixed_ = false;
   std::size_t node_count_ = 0;
   Frame initial_;

@@ -44,6 +44,20 @@ void ProgramBuilder::for_each_source(const Op& op, Visit visit) {
   for (const Ref& member : op.cases) visit(member);
 }
 
+void ProgramBuilder::emit_wires() {
+  for (const Op& op : ops_) {
+    if (op.same_as != kNone || op.type == nullptr) continue;
+    NodeWires wires{op.behavior, op.output, {}, op.kind == Program::Instruction::Kind::kDelay};
+    const auto add = [&](const Ref& ref) {
+      if (ref.kind != Ref::Kind::kNothing) wires.sources.push_back(offset_of(ref));
+    };
+    for_each_source(op, add);
+    add(op.value);
+    add(op.initial);
+    program_->wires_.push_back(std::move(wires));
+  }
+}
+
 std::shared_ptr<const Program> ProgramBuilder::build() {
   const std::size_t errors_before = sink_.error_count();
   program_->name_ = network_.name;
@@ -56,6 +70,7 @@ std::shared_ptr<const Program> ProgramBuilder::build() {
   share_pure_calls();
   warn_about_unused();
   lay_out();
+  emit_wires();
   return program_;
 }
 

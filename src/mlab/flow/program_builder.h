@@ -146,6 +146,7 @@ class ProgramBuilder {
   void assign_stamps();
   bool is_mixture(const Op& op) const;
   void emit_mixtures();
+  void emit_wires();
   std::string path_of(const Ref& ref) const;
 
   const Network& network_;

@@ -1,7 +1,9 @@
 #include "mlab/flow/program.h"
 
+#include <algorithm>
 #include <cstring>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -166,6 +168,24 @@ TEST(Program, ANodeThatNobodyUsesNeverRuns) {
   run.step();
   EXPECT_DOUBLE_EQ(run.number("idle"), 0.0);
   EXPECT_DOUBLE_EQ(run.number("watched"), 1.0);
+}
+
+TEST(Program, SaysWhatEachValueIsMadeFrom) {
+  Runner run(chain_network());
+  const auto offset = [&](const char* path) { return run.program->find(path)->offset; };
+  const std::vector<NodeWires>& wires = run.program->wires();
+  const auto total = std::ranges::find(wires, offset("total"), &NodeWires::output);
+  ASSERT_NE(total, wires.end());
+  EXPECT_EQ(total->behavior->name, "Add");
+  ASSERT_EQ(total->sources.size(), 2U);
+  EXPECT_EQ(total->sources[1], offset("gain"));
+  // A whole number goes through a conversion.
+  const auto converted = std::ranges::find(wires, total->sources[0], &NodeWires::output);
+  ASSERT_NE(converted, wires.end());
+  EXPECT_EQ(converted->sources, std::vector{offset("counted")});
+  const auto counted = std::ranges::find(wires, offset("counted"), &NodeWires::output);
+  ASSERT_NE(counted, wires.end());
+  EXPECT_EQ(counted->sources, std::vector{offset("counted.start")});
 }
 
 TEST(Program, FindsThePortThatWentWrongFirst) {

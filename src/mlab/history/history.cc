@@ -1,10 +1,12 @@
 #include "mlab/history/history.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "mlab/history/recorded_answers.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::history {
@@ -50,23 +52,27 @@ std::optional<std::string> History::add_body(const wire::HistoryEntry& entry) {
     case Entry::kBeginning: {
       const wire::HistoryBeginning& beginning = entry.beginning();
       if (beginning_) return "the run begins twice";
-      if (beginning.format() != kFormat)
-        return fmt::format("it is of format {}, and this program reads format {}", beginning.format(),
-                           kFormat);
-      if (!are_numbers(beginning.executive())) return "a setting is no number";
-      if (beginning.environment() != 0 && !text(beginning.environment()))
-        return fmt::format("text {} is missing", beginning.environment());
-      if (auto problem = check(beginning.mission())) return problem;
+      // What another version means by it is not known here, so nothing is made of it again: what was told and
+      // where robots were can be shown all the same.
+      if (beginning.format() == kFormat) {
+        if (!are_numbers(beginning.executive())) return "a setting is no number";
+        if (beginning.environment() != 0 && !text(beginning.environment()))
+          return fmt::format("text {} is missing", beginning.environment());
+        if (auto problem = check(beginning.mission())) return problem;
+      }
       beginning_ = beginning;
+      needs_answers_ = beginning.is_in_real_time() && beginning.holds_answers();
+      note_need_of_answers(beginning.mission(), entry);
       return std::nullopt;
     }
     case Entry::kInput: {
       const wire::HistoryInput& input = entry.input();
-      if (input.has_exchanged()) {
+      if (input.has_exchanged() && beginning_->format() == kFormat) {
         if (auto problem = check(input.exchanged().mission())) return problem;
       }
       if (!are_numbers(input)) return "what came in holds what is no number";
       inputs_.push_back({{entry.cycle(), input.has_looked()}, entry.time(), input});
+      note_need_of_answers(input.exchanged().mission(), entry);
       return std::nullopt;
     }
     case Entry::kMark:
@@ -83,6 +89,8 @@ std::optional<std::string> History::add_body(const wire::HistoryEntry& entry) {
     case Entry::kEvent:
       events_.push_back({entry.cycle(), entry.time(), entry.event().text(), entry.event().is_warning()});
       return std::nullopt;
+    case Entry::kAnswers:
+      return add_answers(entry);
     case Entry::kEnd:
       end_ = EndEntry{entry.cycle(), entry.end().outcome(), entry.end().has_looked(), entry.end().digest()};
       return std::nullopt;
@@ -90,6 +98,11 @@ std::optional<std::string> History::add_body(const wire::HistoryEntry& entry) {
       return std::nullopt;  // of a later version
   }
   return std::nullopt;
+}
+
+void History::reach(std::uint64_t cycle, double time) {
+  last_cycle_ = std::max(last_cycle_, cycle);
+  last_time_ = std::max(last_time_, time);
 }
 
 std::optional<std::string> History::add_text(const wire::HistoryText& text) {
@@ -108,25 +121,92 @@ std::optional<std::string> History::check(const wire::HistoryMission& mission) c
     if (!source) return fmt::format("text {} is missing", id);
     has_own = has_own || source->name() == mission.path();
   }
+  for (const wire::HistoryExecutable& program : mission.programs()) {
+    const auto is_number = [](const wire::HistoryNumber& one) { return std::isfinite(one.value()); };
+    if (!std::ranges::all_of(program.numbers(), is_number) || !std::ranges::all_of(program.body(), is_number))
+      return fmt::format("a value of the program `{}` is no number", text::shown(program.name()));
+  }
   if (!has_own) return fmt::format("the text of the mission `{}` is missing", text::shown(mission.path()));
   return std::nullopt;
 }
 
+const wire::HistoryMission& History::version_at(std::uint64_t cycle) const {
+  const wire::HistoryMission* out = &beginning_->mission();
+  for (const InputEntry& one : inputs_) {
+    if (one.moment.cycle >= cycle) break;
+    if (one.input.has_exchanged()) out = &one.input.exchanged().mission();
+  }
+  return *out;
+}
+
 std::string History::why_not_recomputed() const {
   if (!beginning_) return "the run had not begun";
+  if (beginning_->format() != kFormat)
+    return fmt::format("it is of format {}, and this program computes format {} again", beginning_->format(),
+                       kFormat);
+  if (beginning_->holds_answers()) return "";
   if (beginning_->is_in_real_time())
-    return "its robots were elsewhere, in real time: what they did was not computed here";
+    return "its robots were elsewhere, in real time, and what they answered is not in the recording: a "
+           "version of "
+           "missionlab made it that did not record that";
+  if (const std::string name = executable(); !name.empty())
+    return fmt::format(
+        "the program `{}` is in an executable, and what it answered is not in the recording: a version of "
+        "missionlab made it that did not record that",
+        text::shown(name));
+  return "";
+}
+
+std::string History::why_not_gone_on() const {
+  if (std::string why = why_not_recomputed(); !why.empty()) return why;
+  if (beginning_->is_in_real_time())
+    return "its robots were elsewhere, in real time: what they would do next is not known here";
+  if (const std::string name = executable(); !name.empty())
+    return fmt::format(
+        "the program `{}` is in an executable, which keeps what it had in mind to itself: only what it "
+        "answered "
+        "is known",
+        text::shown(name));
+  return "";
+}
+
+// The first program that is in one; empty: none is.
+std::string History::executable() const {
   const auto of = [](const wire::HistoryMission& mission) {
-    return mission.executables().empty()
-               ? std::string()
-               : fmt::format("the program `{}` is in an executable, which is not part of the recording",
-                             text::shown(mission.executables(0)));
+    return mission.executables().empty() ? std::string() : mission.executables(0);
   };
-  if (std::string why = of(beginning_->mission()); !why.empty()) return why;
+  if (std::string name = of(beginning_->mission()); !name.empty()) return name;
   for (const InputEntry& one : inputs_) {
-    if (std::string why = of(one.input.exchanged().mission()); !why.empty()) return why;
+    if (std::string name = of(one.input.exchanged().mission()); !name.empty()) return name;
   }
   return "";
+}
+
+void History::note_need_of_answers(const wire::HistoryMission& mission, const wire::HistoryEntry& entry) {
+  if (needs_answers_ || mission.programs().empty() || !beginning_->holds_answers()) return;
+  needs_answers_ = true;
+  answered_ = entry.cycle();
+  answered_time_ = entry.time();
+}
+
+std::optional<std::string> History::add_answers(const wire::HistoryEntry& entry) {
+  if (auto problem = what_is_wrong(entry, answers_.empty() ? 0 : answers_.back().cycle)) return problem;
+  for (const wire::HistoryNotStarted& one : entry.answers().not_started()) {
+    const std::pair key(entry.cycle() - one.before(), one.robot());
+    if (one.failure().empty())
+      not_started_.erase(key);
+    else
+      not_started_[key] = one.failure();
+  }
+  answers_.push_back({entry.cycle(), entry.answers()});
+  answered_ = entry.cycle();
+  answered_time_ = entry.time();
+  return std::nullopt;
+}
+
+const std::string* History::why_not_started(std::uint64_t cycle, std::uint32_t robot) const {
+  const auto at = not_started_.find({cycle, robot});
+  return at != not_started_.end() ? &at->second : nullptr;
 }
 
 }  // namespace mlab::history

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <expected>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mlab/history.pb.h"
@@ -46,6 +48,13 @@ struct EndEntry {
   std::uint64_t digest = 0;
 };
 
+/// What robots answered whose programs can't be computed again, in the cycles behind those of the entry
+/// before, up to this one. It is in order, and each answer is one that a robot can give.
+struct AnswersEntry {
+  std::uint64_t cycle = 0;
+  wire::HistoryAnswers answers;
+};
+
 /// The history of one run, as far as it was written. A plain value; whatever it was read from, it is whole:
 /// what refers to a text finds it, and cycles never go back.
 class History {
@@ -58,28 +67,44 @@ class History {
   /// @errors  a sentence: what is wrong with it; nothing has changed then
   std::optional<std::string> add(const wire::HistoryEntry& entry);
 
+  /// The run goes on, and has come so far, though no entry says so yet. It never goes back.
+  /// @param time  [s]
+  void reach(std::uint64_t cycle, double time);
+
   /// Nothing before the run's beginning was read.
   bool has_begun() const { return beginning_.has_value(); }
   const wire::HistoryBeginning& beginning() const { return *beginning_; }
   /// By id; null: there is none.
   text::SourcePtr text(std::uint32_t id) const;
   const std::vector<InputEntry>& inputs() const { return inputs_; }
+  /// The version of the mission that is in force after a cycle, before anything comes in behind it.
+  const wire::HistoryMission& version_at(std::uint64_t cycle) const;
   const std::vector<MarkEntry>& marks() const { return marks_; }
   const std::vector<PosesEntry>& poses() const { return poses_; }
   const std::vector<EventEntry>& events() const { return events_; }
+  const std::vector<AnswersEntry>& answers() const { return answers_; }
+  /// Why a robot's program was not brought to life after that cycle; null: it was.
+  const std::string* why_not_started(std::uint64_t cycle, std::uint32_t robot) const;
   /// Nothing where the run was not told to its end: it goes on, or it was killed.
   const std::optional<EndEntry>& end() const { return end_; }
-  /// The last that is known of, and its time [s].
-  std::uint64_t last_cycle() const { return last_cycle_; }
-  double last_time() const { return last_time_; }
+  /// The last that is known of, and its time [s]. Where robots' answers are a part of the history, the last
+  /// of which they are known.
+  std::uint64_t last_cycle() const { return needs_answers_ ? std::min(last_cycle_, answered_) : last_cycle_; }
+  double last_time() const { return needs_answers_ ? std::min(last_time_, answered_time_) : last_time_; }
 
   /// Why the run can't be computed again whatever program reads this, as a sentence; empty: it can.
   std::string why_not_recomputed() const;
+  /// Why nobody can go on with the run from where it ends, as a sentence; empty: the run can be computed
+  /// again, and gone on with.
+  std::string why_not_gone_on() const;
 
  private:
   std::optional<std::string> add_text(const wire::HistoryText& text);
   std::optional<std::string> check(const wire::HistoryMission& mission) const;
   std::optional<std::string> add_body(const wire::HistoryEntry& entry);
+  std::optional<std::string> add_answers(const wire::HistoryEntry& entry);
+  void note_need_of_answers(const wire::HistoryMission& mission, const wire::HistoryEntry& entry);
+  std::string executable() const;
 
   std::optional<wire::HistoryBeginning> beginning_;
   std::map<std::uint32_t, text::SourcePtr> texts_;
@@ -88,6 +113,11 @@ class History {
   std::vector<MarkEntry> marks_;
   std::vector<PosesEntry> poses_;
   std::vector<EventEntry> events_;
+  std::vector<AnswersEntry> answers_;
+  std::map<std::pair<std::uint64_t, std::uint32_t>, std::string> not_started_;  // by cycle and robot
+  bool needs_answers_ = false;
+  std::uint64_t answered_ = 0;  // up to this cycle, if it needs answers
+  double answered_time_ = 0.0;  // of it [s]
   std::optional<EndEntry> end_;
   std::uint64_t last_cycle_ = 0;
   double last_time_ = 0.0;

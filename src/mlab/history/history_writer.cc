@@ -26,6 +26,17 @@ wire::HistoryEntry HistoryWriter::entry() const {
   return out;
 }
 
+// What robots answered before comes before it.
+void HistoryWriter::put(const wire::HistoryEntry& entry) {
+  note_rest();
+  sink_(entry);
+}
+
+void HistoryWriter::note_rest() {
+  if (!answers_) return;
+  if (const auto answers = answers_->take()) sink_(*answers);
+}
+
 std::uint32_t HistoryWriter::id_of(const text::SourcePtr& source) {
   auto& known = texts_[{source->name(), base::hash_text(source->text())}];
   for (const auto& [text, id] : known) {
@@ -37,7 +48,7 @@ std::uint32_t HistoryWriter::id_of(const text::SourcePtr& source) {
   text.set_id(last_text_);
   text.set_path(source->name());
   text.set_content(std::string(source->text()));
-  sink_(said);
+  put(said);
   return last_text_;
 }
 
@@ -53,7 +64,10 @@ void HistoryWriter::put_mission(const run::Crew& crew, wire::HistoryMission& out
   add(mission.source);
   std::ranges::for_each(mission.texts, add);
   for (const robot::RobotProgram& program : crew.programs) {
-    if (program.native || program.executable) out.add_executables(program.name);
+    if (program.is_in_executable()) {
+      out.add_executables(program.name);
+      *out.add_programs() = answers_->describe(program);
+    }
     if (!program.origin) continue;
     out.set_program_folder(program.origin->folder);
     std::ranges::for_each(program.origin->texts, add);
@@ -69,6 +83,7 @@ void HistoryWriter::put_mission(const run::Crew& crew, wire::HistoryMission& out
 
 void HistoryWriter::begin(run::MissionRun& run, const Circumstances& circumstances) {
   run_ = &run;
+  answers_ = std::make_unique<AnswerWriter>(run);
   wire::HistoryEntry said = entry();
   wire::HistoryBeginning& beginning = *said.mutable_beginning();
   const run::RunSettings& settings = run.settings();
@@ -81,11 +96,13 @@ void HistoryWriter::begin(run::MissionRun& run, const Circumstances& circumstanc
   if (settings.environment.source) beginning.set_environment(id_of(settings.environment.source));
   beginning.set_stands_still_for_operator(run.stands_still_for_operator());
   beginning.set_goes_on_when_done(settings.goes_on_when_done);
-  beginning.set_is_in_real_time(settings.is_in_real_time);
+  beginning.set_is_in_real_time(settings.is_in_real_time || settings.recorded.is_of_all);
+  beginning.set_holds_answers(true);
   *beginning.mutable_executive() = to_wire(settings.executive);
   beginning.set_started_at(circumstances.started_at);
   put_mission(*run.crew(), *beginning.mutable_mission());
-  sink_(said);
+  put(said);
+  if (answers_->is_needed(*run.crew())) run.set_answer_witness(answers_.get());
   run.set_input_observer(
       [this](const run::Moment& moment, const run::Input& input) { note_input(moment, input); });
 }
@@ -98,8 +115,10 @@ void HistoryWriter::note_input(const run::Moment& moment, const run::Input& inpu
   if (const auto* exchanged = std::get_if<run::input::Exchanged>(&input)) {
     put_mission(*exchanged->crew, *out.mutable_exchanged()->mutable_mission());
     out.mutable_exchanged()->set_takes_over(exchanged->takes_over);
+    note_rest();
+    if (answers_->is_needed(*exchanged->crew)) run_->set_answer_witness(answers_.get());
   }
-  sink_(said);
+  put(said);
 }
 
 void HistoryWriter::see(const mission::Effect& effect) {
@@ -110,11 +129,12 @@ void HistoryWriter::see(const mission::Effect& effect) {
   said.mutable_event()->set_text(told != nullptr ? told->text : asked->text);
   said.mutable_event()->set_is_warning(told != nullptr &&
                                        told->kind == mission::effect::Tell::Kind::kWarning);
-  sink_(said);
+  put(said);
 }
 
 void HistoryWriter::note_cycle() {
   if (run_ == nullptr) return;
+  answers_->note_cycle();
   if (run_->time() >= next_poses_) note_poses();
   if (run_->cycle() >= next_mark_) note_mark();
 }
@@ -131,14 +151,14 @@ void HistoryWriter::note_poses() {
     poses.add_y(static_cast<float>(pose.position.y));
     poses.add_heading(static_cast<float>(pose.heading));
   }
-  sink_(said);
+  put(said);
 }
 
 void HistoryWriter::note_mark() {
   next_mark_ = run_->cycle() + kMarksApart;
   wire::HistoryEntry said = entry();
   said.mutable_mark()->set_digest(digest_of(*run_));
-  sink_(said);
+  put(said);
 }
 
 void HistoryWriter::end(const std::string& outcome) {
@@ -147,12 +167,17 @@ void HistoryWriter::end(const std::string& outcome) {
   said.mutable_end()->set_outcome(outcome);
   said.mutable_end()->set_digest(digest_of(*run_));
   said.mutable_end()->set_has_looked(run_->moment().has_looked);
-  sink_(said);
+  put(said);
   leave();
 }
 
 void HistoryWriter::leave() {
-  if (run_ != nullptr) run_->set_input_observer({});
+  if (run_ != nullptr) {
+    note_rest();
+    run_->set_input_observer({});
+    run_->set_answer_witness(nullptr);
+  }
+  answers_.reset();
   run_ = nullptr;
 }
 

@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mlab/history.pb.h"
+#include "mlab/history/answer_writer.h"
 #include "mlab/mission/effect.h"
 #include "mlab/run/input.h"
 #include "mlab/run/mission_run.h"
@@ -36,6 +38,8 @@ class HistoryWriter {
   void see(const mission::Effect& effect);
   /// A cycle has passed.
   void note_cycle();
+  /// No time passes: all that is known of the run is told now.
+  void note_rest();
   /// The run has ended, and is told of no more.
   void end(const std::string& outcome);
   /// The run is told of no more, whether or not it goes on.
@@ -43,6 +47,7 @@ class HistoryWriter {
 
  private:
   wire::HistoryEntry entry() const;
+  void put(const wire::HistoryEntry& entry);
   std::uint32_t id_of(const text::SourcePtr& source);
   void put_mission(const run::Crew& crew, wire::HistoryMission& out);
   void note_input(const run::Moment& moment, const run::Input& input);
@@ -51,6 +56,7 @@ class HistoryWriter {
 
   Sink sink_;
   run::MissionRun* run_ = nullptr;
+  std::unique_ptr<AnswerWriter> answers_;  // while there is a run
   std::map<std::pair<std::string, std::uint64_t>, std::vector<std::pair<text::SourcePtr, std::uint32_t>>>
       texts_;  // by path and hash
   std::uint32_t last_text_ = 0;

@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 #include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
 
 #include "mlab/mcap/protobuf_schema.h"
 #include "mlab/mcap/reader.h"
@@ -70,25 +71,72 @@ text::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
   return std::unique_ptr<RecordingWriter>(new RecordingWriter(path, started_at, std::move(*writer)));
 }
 
-std::uint64_t RecordingWriter::time_of(const wire::HistoryEntry& entry) const {
-  return static_cast<std::uint64_t>(std::max(0.0, started_at_ + entry.time()) * 1e9);
+namespace {
+
+// How many of the entries the file holds.
+// @errors  it holds something else
+text::Result<std::size_t> held_of(const std::string& path, const std::vector<wire::HistoryEntry>& entries) {
+  auto reader = mcap::Reader::open(path);
+  if (!reader) return std::unexpected(reader.error());
+  const auto differs = std::unexpected(problem_with(
+      "other-run", fmt::format("what is in `{}` is not the beginning of this run", text::shown(path))));
+  std::size_t count = 0;
+  std::size_t last = 0;
+  mcap::Messages messages = reader->messages();
+  for (auto one = messages.next();; one = messages.next()) {
+    if (!one) return std::unexpected(one.error());
+    if (*one == nullptr) break;
+    const std::size_t number = (**one).sequence;
+    if (number == 0 || number > entries.size()) return differs;
+    const std::string wanted = entries[number - 1].SerializeAsString();
+    if (!std::ranges::equal(std::as_bytes(std::span(wanted)), (**one).data)) return differs;
+    ++count;
+    last = std::max(last, number);
+  }
+  return count == last ? text::Result<std::size_t>(count) : differs;
+}
+
+}  // namespace
+
+text::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::go_on(
+    const std::string& path, double started_at, const std::vector<wire::HistoryEntry>& entries) {
+  const auto held = held_of(path, entries);
+  if (!held) return std::unexpected(held.error());
+  auto resumed = mcap::Writer::resume(path);
+  if (!resumed || resumed->writer.summary().message_count != *held)
+    return std::unexpected(
+        problem_with("can-not-write", fmt::format("`{}` can't be gone on with{}", text::shown(path),
+                                                  resumed ? "" : ": " + resumed.error().message)));
+  std::unique_ptr<RecordingWriter> out(new RecordingWriter(path, started_at, std::move(resumed->writer)));
+  out->count_ = static_cast<std::uint32_t>(*held);
+  out->has_begun_ = std::ranges::any_of(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(*held),
+                                        &wire::HistoryEntry::has_beginning);
+  for (std::size_t i = *held; i < entries.size(); ++i) out->put(entries[i]);
+  out->flush();
+  return out;
+}
+
+std::uint64_t RecordingWriter::time_of(double time) const {
+  return static_cast<std::uint64_t>(std::max(0.0, started_at_ + time) * 1e9);
 }
 
 mcap::ChannelId RecordingWriter::channel_of(const wire::HistoryEntry& entry) {
   mcap::ChannelId& channel = channels_[entry.body_case()];
-  if (channel.value != 0) return channel;
-  const auto schema = writer_.add_schema(mcap::protobuf_schema(*wire::HistoryEntry::descriptor()));
+  if (channel.value == 0) channel = channel_of(std::string(kTopics) + kind_of(entry), entry);
+  return channel;
+}
+
+mcap::ChannelId RecordingWriter::channel_of(const std::string& topic,
+                                            const google::protobuf::Message& message) {
+  const auto schema = writer_.add_schema(mcap::protobuf_schema(*message.GetDescriptor()));
   if (!schema) {
     note(schema.error());
     return {};
   }
-  const auto added = writer_.add_channel(
-      {.schema = *schema, .topic = std::string(kTopics) + kind_of(entry), .message_encoding = "protobuf"});
-  if (added)
-    channel = *added;
-  else
-    note(added.error());
-  return channel;
+  const auto added = writer_.add_channel({.schema = *schema, .topic = topic, .message_encoding = "protobuf"});
+  if (added) return *added;
+  note(added.error());
+  return {};
 }
 
 void RecordingWriter::note(const mcap::WriteError& error) {
@@ -102,16 +150,40 @@ void RecordingWriter::put(const wire::HistoryEntry& entry) {
   if (!problem_.empty()) return;
   bytes_.clear();
   entry.AppendToString(&bytes_);
-  const std::uint64_t time = time_of(entry);
+  write(channel, entry.time());
+  if (entry.has_input() || entry.has_beginning() || std::chrono::steady_clock::now() >= flushed_ + kFlushed)
+    flush();
+  has_begun_ = has_begun_ || (entry.has_beginning() && problem_.empty());
+}
+
+void RecordingWriter::put_beside(const std::string& topic, const google::protobuf::Message& message,
+                                 double time) {
+  if (!problem_.empty()) return;
+  mcap::ChannelId& channel = beside_[topic];
+  if (channel.value == 0) channel = channel_of(topic, message);
+  if (!problem_.empty()) return;
+  bytes_.clear();
+  message.AppendToString(&bytes_);
+  write(channel, time);
+}
+
+bool RecordingWriter::put_metadata(const mcap::Metadata& metadata) {
+  if (!problem_.empty()) return false;
+  if (const auto added = writer_.add(metadata); !added) note(added.error());
+  is_flushed_ = false;
+  flush();
+  return problem_.empty();
+}
+
+void RecordingWriter::write(mcap::ChannelId channel, double time) {
+  const std::uint64_t at = time_of(time);
   const auto written =
-      writer_.write({channel, ++count_, time, time, std::as_bytes(std::span(bytes_.data(), bytes_.size()))});
+      writer_.write({channel, ++count_, at, at, std::as_bytes(std::span(bytes_.data(), bytes_.size()))});
   if (!written) {
     note(written.error());
     return;
   }
   is_flushed_ = false;
-  if (entry.has_input() || entry.has_beginning() || std::chrono::steady_clock::now() >= flushed_ + kFlushed)
-    flush();
 }
 
 void RecordingWriter::flush() {

@@ -6,11 +6,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mlab/history.pb.h"
 #include "mlab/history/history.h"
 #include "mlab/mcap/writer.h"
 #include "mlab/text/diagnostic.h"
+
+namespace google::protobuf {
+class Message;
+}
 
 namespace mlab::history {
 
@@ -22,36 +27,54 @@ class RecordingWriter {
   /// @param started_at  wall clock at run time 0, seconds since 1970-01-01 00:00 UTC
   static text::Result<std::unique_ptr<RecordingWriter>> create(const std::string& path, double started_at);
 
+  /// Goes on with a file whose writer was killed, and writes what is missing in it.
+  /// @param entries  all up to now
+  /// @errors  what stands there is not the beginning of `entries`; it is as it was then
+  static text::Result<std::unique_ptr<RecordingWriter>> go_on(const std::string& path, double started_at,
+                                                              const std::vector<wire::HistoryEntry>& entries);
+
   /// After an error nothing more is written; what stands can be read.
   void put(const wire::HistoryEntry& entry);
+  /// A message for other programs, on a channel of its own with its own schema: no part of the history.
+  /// @param time  simulated [s]
+  void put_beside(const std::string& topic, const google::protobuf::Message& message, double time);
+  /// What is said of the run by people, and no part of it. In the file from now on.
+  /// @return  false: the file does not go on
+  bool put_metadata(const mcap::Metadata& metadata);
   /// No time passes: all that was put is in the file from now on.
   void flush();
   /// Why the file does not go on, as a sentence; empty: it does.
   const std::string& problem() const { return problem_; }
+  /// The history's beginning is in the file: without it nobody can read the rest.
+  bool has_begun() const { return has_begun_; }
   const std::string& path() const { return path_; }
   /// Nothing more comes.
   void close();
 
  private:
   RecordingWriter(std::string path, double started_at, mcap::Writer writer);
-  std::uint64_t time_of(const wire::HistoryEntry& entry) const;
+  std::uint64_t time_of(double time) const;
   mcap::ChannelId channel_of(const wire::HistoryEntry& entry);
+  mcap::ChannelId channel_of(const std::string& topic, const google::protobuf::Message& message);
+  void write(mcap::ChannelId channel, double time);
   void note(const mcap::WriteError& error);
 
   const std::string path_;
   const double started_at_;
   mcap::Writer writer_;
-  std::map<int, mcap::ChannelId> channels_;  // by kind of entry
+  std::map<int, mcap::ChannelId> channels_;        // by kind of entry
+  std::map<std::string, mcap::ChannelId> beside_;  // by topic
   std::string bytes_;
   std::uint32_t count_ = 0;
   std::chrono::steady_clock::time_point flushed_;
   bool is_flushed_ = true;  // nothing was put since
+  bool has_begun_ = false;
   std::string problem_;
 };
 
 /// A recording, as far as it can be read.
 struct Recording {
-  std::shared_ptr<const History> history;
+  std::shared_ptr<History> history;
   std::string cut;  ///< how far it could be read, and why no further, as a sentence; empty: to its end
 };
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "mlab/cell/testing/permission.h"
+#include "mlab/history/recorded_names.h"
 #include "mlab/history/recorder.h"
 #include "mlab/history/replay.h"
 #include "mlab/history/shelf.h"
@@ -150,6 +151,91 @@ TEST_F(RecordingFile, OnAFullDiskEndsAndTheRunGoesOn) {
   const auto read = read_recording(path("run.mcap"));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_GE(read->history->inputs().size(), 1U) << "what stood before can be read";
+}
+
+// A recording does not tell where on this machine its mission lay.
+TEST_F(RecordingFile, NamesFilesFromWhereTheMissionLies) {
+  for (const std::string mission : {"demo_c/demo_c.mdl", "forage/forage.mdl"}) {
+    SCOPED_TRACE(mission);
+    fs::remove(path("run.mcap"));
+    WrittenRun written(mission, 4, true);
+    ASSERT_TRUE(written.run().mission().source->name().starts_with("/"));
+    {
+      Recorder recorder([this] { return path("run.mcap"); }, written.run(), {"test", {}, 5, 0.0});
+      written.run().post(mission::event::Execute{});
+      for (int i = 0; i < 120; ++i) {
+        written.run().step();
+        recorder.note_cycle();
+      }
+      recorder.end("interrupted");
+    }
+    const auto read = read_recording(path("run.mcap"));
+    ASSERT_TRUE(read) << read.error().message;
+    const wire::HistoryMission& version = read->history->beginning().mission();
+    EXPECT_EQ(version.path(), fs::path(mission).filename().string());
+    EXPECT_EQ(version.folder() + version.program_folder(), "");
+    for (const std::uint32_t id : version.texts())
+      EXPECT_FALSE(read->history->text(id)->name().starts_with("/")) << read->history->text(id)->name();
+    text::Diagnostics sink;
+    const auto replay = Replay::make(read->history, {cell::testing::code_permitted()}, sink);
+    ASSERT_NE(replay, nullptr) << text::render(sink);
+    while (replay->step()) {
+    }
+    EXPECT_FALSE(replay->divergence());
+    EXPECT_TRUE(replay->is_at_end());
+  }
+}
+
+// Ten minutes of the four robots of Demo C, on their way all the time.
+TEST_F(RecordingFile, IsSmall) {
+  std::uintmax_t sizes[2] = {};
+  for (const bool has_answers : {false, true}) {
+    WrittenRun written("demo_c/demo_c.mdl", 4, true, has_answers);
+    run::MissionRun& run = written.run();
+    Recorder recorder([&] { return path(has_answers ? "answers.mcap" : "run.mcap"); }, run,
+                      {"test", {}, 5, 0.0});
+    run.post(mission::event::Execute{});
+    while (run.cycle() < 6000) {
+      if (run.step() != run::MissionRun::Progress::kStepped) {
+        ASSERT_TRUE(run.is_over());
+        run.post(mission::event::Rewind{});
+        run.post(mission::event::Execute{});
+        continue;
+      }
+      recorder.note_cycle();
+    }
+    recorder.end("interrupted");
+    sizes[has_answers ? 1 : 0] = fs::file_size(recorder.path());
+  }
+  RecordProperty("bytes", std::to_string(sizes[0]));
+  RecordProperty("bytes_with_answers", std::to_string(sizes[1]));
+  EXPECT_LT(sizes[0], 1'000'000U);
+  EXPECT_LT(sizes[1], 1'000'000U) << "with what robots in executables answer";
+}
+
+TEST(RecordedSources, AreFoundHoweverTextsCallThem) {
+  const RecordedNames names("/anna/project/missions");
+  RecordedSources sources;
+  for (const char* path : {"/anna/project/missions/m.mdl", "/anna/project/missions/sub/../a.cdl",
+                           "/anna/project/maps/map.odl", "/opt/shared/far.odl"}) {
+    wire::HistoryEntry entry;
+    entry.mutable_text()->set_path(path);
+    const std::string name = names.in_recording(entry).text().path();
+    EXPECT_EQ(name.find("anna"), std::string::npos) << name;
+    sources.add(std::make_shared<const text::Source>(name, path));
+  }
+  const auto text_of = [&](const std::string& path) {
+    const text::SourcePtr found = sources.find(path);
+    return found ? std::string(found->text()) : "";
+  };
+  EXPECT_EQ(text_of("m.mdl"), "/anna/project/missions/m.mdl");
+  EXPECT_EQ(text_of("./sub/../m.mdl"), "/anna/project/missions/m.mdl");
+  EXPECT_EQ(text_of("a.cdl"), "/anna/project/missions/sub/../a.cdl");
+  EXPECT_EQ(text_of("../maps/map.odl"), "/anna/project/maps/map.odl");
+  EXPECT_EQ(text_of("/opt/shared/far.odl"), "/opt/shared/far.odl") << "as its text calls it";
+  EXPECT_EQ(text_of("/anna/project/maps/map.odl"), "/anna/project/maps/map.odl");
+  EXPECT_EQ(text_of("/etc/passwd"), "");
+  EXPECT_EQ(text_of("../maps/other.odl"), "");
 }
 
 TEST_F(RecordingFile, IsNeverWrittenOver) {

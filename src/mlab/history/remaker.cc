@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/history/recorded_names.h"
+#include "mlab/history/recorded_runner.h"
 #include "mlab/history/wire.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/robot/program/configuration_file.h"
@@ -16,21 +18,27 @@ namespace {
 
 // The files of a version, and no others.
 text::Files files_of(const History& history, const wire::HistoryMission& version) {
-  auto by_path = std::make_shared<std::map<std::string, text::SourcePtr>>();
-  for (const std::uint32_t id : version.texts()) {
-    const text::SourcePtr source = history.text(id);
-    by_path->insert_or_assign(source->name(), source);
-  }
+  auto sources = std::make_shared<RecordedSources>();
+  for (const std::uint32_t id : version.texts()) sources->add(history.text(id));
   text::Files out;
-  out.is_file = [by_path](const std::string& path) { return by_path->contains(path); };
-  out.read = [by_path](const std::string& path) -> text::Result<text::SourcePtr> {
-    const auto found = by_path->find(path);
-    if (found != by_path->end()) return found->second;
+  out.is_file = [sources](const std::string& path) { return sources->find(path) != nullptr; };
+  out.read = [sources](const std::string& path) -> text::Result<text::SourcePtr> {
+    if (text::SourcePtr found = sources->find(path)) return found;
     text::Diagnostic missing;
     missing.kind = "cannot-read";
     missing.message = fmt::format("cannot read `{}`: it is not part of the recording", text::shown(path));
     return std::unexpected(missing);
   };
+  return out;
+}
+
+std::shared_ptr<const robot::RecordedProgram> recorded_of(const wire::HistoryExecutable& program) {
+  auto out = std::make_shared<robot::RecordedProgram>();
+  out->build = program.build();
+  out->is_open = program.is_open();
+  out->reports = program.reports();
+  for (const wire::HistoryNumber& one : program.numbers()) out->numbers[one.name()] = one.value();
+  for (const wire::HistoryNumber& one : program.body()) out->body[one.name()] = one.value();
   return out;
 }
 
@@ -56,6 +64,10 @@ std::unique_ptr<run::MissionRun> Remaker::begin(text::Diagnostics& sink) {
     if (!changes) return nullptr;
     settings.environment = std::move(*changes);
   }
+  settings.recorded = {[history = all_](std::function<std::uint64_t()> cycle) {
+                         return std::make_unique<RecordedRunner>(history, std::move(cycle));
+                       },
+                       beginning.is_in_real_time()};
   first_ = crew_;
   return begin_again();
 }
@@ -64,13 +76,23 @@ std::unique_ptr<run::MissionRun> Remaker::begin_again() const {
   return simulated::make_run(first_, settings_);
 }
 
-std::shared_ptr<const run::Crew> Remaker::make(const wire::HistoryMission& version, const run::Crew* before,
-                                               text::Diagnostics& sink) {
+// What texts are read with from now on.
+robot::ProgramSources Remaker::prepare(const wire::HistoryMission& version) {
   files_ = files_of(history_, version);
   robot::ProgramSources sources{tools_.permission, version.program_folder(), tools_.include_root,
                                 tools_.version, &files_};
   sources.came_from_elsewhere = true;
   sources.limits = tools_.limits;
+  sources.in_own_processes = tools_.in_own_processes;
+  if (!version.programs().empty()) {
+    sources.recorded = [version](const std::string& name,
+                                 std::string_view type) -> std::shared_ptr<const robot::RecordedProgram> {
+      for (const wire::HistoryExecutable& one : version.programs()) {
+        if (one.name() == name && one.type() == type) return recorded_of(one);
+      }
+      return nullptr;
+    };
+  }
   options_ = {};
   options_.seed = history_.beginning().obstacle_seed();
   options_.overlay_folders = {history_.beginning().overlay_folders().begin(),
@@ -79,6 +101,18 @@ std::shared_ptr<const run::Crew> Remaker::make(const wire::HistoryMission& versi
   options_.societies = robot::society_reader(sources);
   for (const wire::HistorySetting& one : version.set())
     options_.settings.push_back({one.name(), one.value(), {}, {}});
+  return sources;
+}
+
+std::shared_ptr<const mission::Mission> Remaker::read(const wire::HistoryMission& version,
+                                                      text::Diagnostics& sink) {
+  prepare(version);
+  return mission_of(version, sink);
+}
+
+std::shared_ptr<const run::Crew> Remaker::make(const wire::HistoryMission& version, const run::Crew* before,
+                                               text::Diagnostics& sink) {
+  const robot::ProgramSources sources = prepare(version);
   const MissionPtr mission = mission_of(version, sink);
   if (!mission) return nullptr;
   version_ = version;

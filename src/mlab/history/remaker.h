@@ -9,6 +9,7 @@
 #include "mlab/history/history.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/host/limits.h"
+#include "mlab/robot/program/configuration_file.h"
 #include "mlab/run/crew.h"
 #include "mlab/run/mission_run.h"
 #include "mlab/text/diagnostic.h"
@@ -23,15 +24,21 @@ struct ReplayTools {
   std::string version = {};       ///< likewise
   robot_host::Limits limits = {};
   int threads = 1;
+  bool in_own_processes = false;  ///< as robot::ProgramSources
 };
 
 /// Makes missions and programs out of a history's texts, and reads nothing else, by whatever name. Where the
 /// history is a stranger's, so are these.
 class Remaker {
  public:
-  /// @param history  outlives it
-  Remaker(const History& history, ReplayTools tools) : history_(history), tools_(std::move(tools)) {}
+  /// @param history  may grow
+  Remaker(std::shared_ptr<const History> history, ReplayTools tools)
+      : all_(std::move(history)), history_(*all_), tools_(std::move(tools)) {}
 
+  /// A version's mission alone, without programs: for who only looks at it.
+  /// @param version  all its texts are there
+  /// @return null where it can't be read, which is said in `sink`
+  std::shared_ptr<const mission::Mission> read(const wire::HistoryMission& version, text::Diagnostics& sink);
   /// The run before anything came in. Once.
   /// @return null where there were errors, all in `sink`
   std::unique_ptr<run::MissionRun> begin(text::Diagnostics& sink);
@@ -44,11 +51,13 @@ class Remaker {
  private:
   using MissionPtr = std::shared_ptr<const mission::Mission>;
 
+  robot::ProgramSources prepare(const wire::HistoryMission& version);
   std::shared_ptr<const run::Crew> make(const wire::HistoryMission& version, const run::Crew* before,
                                         text::Diagnostics& sink);
   MissionPtr mission_of(const wire::HistoryMission& version, text::Diagnostics& sink);
   std::optional<run::Input> typed(const std::string& line, text::Diagnostics& sink);
 
+  const std::shared_ptr<const History> all_;
   const History& history_;
   const ReplayTools tools_;
   std::shared_ptr<const run::Crew> first_;

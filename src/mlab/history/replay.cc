@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "mlab/history/digest.h"
+#include "mlab/history/recorded_runner.h"
 
 namespace mlab::history {
 namespace {
@@ -21,14 +22,19 @@ std::unique_ptr<Replay> Replay::make(std::shared_ptr<const History> history, Rep
     return nullptr;
   }
   std::unique_ptr<Replay> out(new Replay(std::make_shared<Understood>(std::move(history), std::move(tools))));
-  out->run_ = out->understood_->remaker().begin(sink);
+  out->own(out->understood_->remaker().begin(sink));
   return out->run_ ? std::move(out) : nullptr;
 }
 
 std::unique_ptr<Replay> Replay::again() const {
   std::unique_ptr<Replay> out(new Replay(understood_));
-  out->run_ = understood_->remaker().begin_again();
+  out->own(understood_->remaker().begin_again());
   return out;
+}
+
+void Replay::own(std::unique_ptr<run::MissionRun> run) {
+  owned_ = std::move(run);
+  run_ = owned_.get();
 }
 
 std::expected<Replay::Checkpoint, std::string> Replay::save() const {
@@ -43,6 +49,7 @@ std::optional<std::string> Replay::restore(const Checkpoint& checkpoint) {
   next_input_ = checkpoint.inputs;
   next_mark_ = static_cast<std::size_t>(
       std::ranges::upper_bound(marks, run_->cycle(), {}, &MarkEntry::cycle) - marks.begin());
+  next_answers_ = 0;
   is_at_end_ = false;
   divergence_.reset();
   return std::nullopt;
@@ -65,12 +72,31 @@ bool Replay::take_inputs() {
   return true;
 }
 
+// Answers that nobody asked for are not of this run.
+bool Replay::look_at_answers() {
+  const std::vector<AnswersEntry>& all = history().answers();
+  const auto next = std::ranges::upper_bound(all, run_->cycle(), {}, &AnswersEntry::cycle) - all.begin();
+  if (static_cast<std::size_t>(next) < next_answers_ || next == std::ssize(all)) return true;
+  next_answers_ = static_cast<std::size_t>(next) + 1;
+  for (const wire::HistoryAnswer& one : all[static_cast<std::size_t>(next)].answers.answers()) {
+    const fleet::FleetRobot* const robot = run_->fleet().find({one.robot()});
+    if (robot == nullptr || dynamic_cast<const RecordedRunner*>(robot->runner) == nullptr)
+      return part(
+          fmt::format("robot {} has answered, though it is none whose answers are recorded", one.robot()));
+  }
+  return true;
+}
+
 bool Replay::step() {
   if (divergence_ || is_at_end_) return false;
   if (!take_inputs()) return false;
   if (run_->cycle() >= history().last_cycle()) return finish();
-  if (run_->step() != run::MissionRun::Progress::kStepped)
-    return part("no more time passes, though it did when the run was written");
+  if (!look_at_answers()) return false;
+  if (run_->step() != run::MissionRun::Progress::kStepped) {
+    part("no more time passes, though it did when the run was written");
+    divergence_->stands = true;
+    return false;
+  }
   compare();
   return !divergence_;
 }

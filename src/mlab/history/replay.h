@@ -20,6 +20,7 @@ namespace mlab::history {
 struct Divergence {
   std::uint64_t cycle = 0;  ///< by then; up to the last mark before, it was the same
   std::string why;          ///< as a sentence
+  bool stands = false;      ///< no more time passes: it is over, or waits for people
 };
 
 /// The run that a history tells of, computed again, one cycle at a time.
@@ -56,19 +57,25 @@ class Replay {
   std::optional<std::string> restore(const Checkpoint& checkpoint);
 
   const History& history() const { return *understood_->history(); }
+  /// Hands the run over, which outlives this: somebody goes on with it. Until then `step` still steps it.
+  std::unique_ptr<run::MissionRun> give_run() { return std::move(owned_); }
   run::MissionRun& run() { return *run_; }
   const run::MissionRun& run() const { return *run_; }
 
  private:
   explicit Replay(std::shared_ptr<Understood> understood) : understood_(std::move(understood)) {}
   bool take_inputs();
+  bool look_at_answers();
   bool finish();
   void compare();
   bool part(std::string why);
+  void own(std::unique_ptr<run::MissionRun> run);
 
   std::shared_ptr<Understood> understood_;
-  std::unique_ptr<run::MissionRun> run_;
+  std::unique_ptr<run::MissionRun> owned_;  // null: somebody else has it
+  run::MissionRun* run_ = nullptr;
   std::size_t next_input_ = 0;
+  std::size_t next_answers_ = 0;  // of History::answers, that was not looked at yet
   std::size_t next_mark_ = 0;
   std::size_t equal_marks_ = 0;
   bool is_at_end_ = false;

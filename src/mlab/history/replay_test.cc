@@ -74,6 +74,30 @@ TEST(Replay, AnswersQuestionsThatWereAskedWhileNoTimePassed) {
   expect_same(written);
 }
 
+// What was told and where robots were is there, whatever else of it means something else by now.
+TEST(Replay, OfAnotherFormatIsNotComputedButRead) {
+  WrittenRun written("demo_c/demo_c.mdl", 2, true);
+  written.run().post(event::Execute{});
+  for (int i = 0; i < 50; ++i) written.step();
+  written.end();
+  const auto history = std::make_shared<History>();
+  for (wire::HistoryEntry entry : written.entries()) {
+    if (entry.has_beginning()) {
+      entry.mutable_beginning()->set_format(History::kFormat + 1);
+      entry.mutable_beginning()->mutable_mission()->clear_texts();
+    }
+    const auto problem = history->add(entry);
+    ASSERT_FALSE(problem) << *problem;
+  }
+  EXPECT_EQ(history->poses().size(), written.history()->poses().size());
+  EXPECT_EQ(history->events().size(), written.history()->events().size());
+  text::Diagnostics sink;
+  EXPECT_EQ(Replay::make(history, tools(), sink), nullptr);
+  ASSERT_TRUE(sink.has_errors());
+  EXPECT_NE(sink.items().front().message.find("it is of format 2"), std::string::npos)
+      << sink.items().front().message;
+}
+
 TEST(Replay, ComputesProceduresAndWhatPeopleMadeOfThem) {
   WrittenRun written("forage/forage.mdl", 3);
   run::MissionRun& run = written.run();

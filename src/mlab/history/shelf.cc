@@ -12,6 +12,7 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
+#include "mlab/history/bookmark_file.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::history {
@@ -61,7 +62,7 @@ void Shelf::make_room() const {
     bytes += run.bytes;
     if (++count <= kMostRuns && bytes <= kMostBytes) continue;
     std::error_code kept;
-    fs::remove(run.path, kept);
+    if (fs::remove(run.path, kept)) fs::remove(bookmark_path(run.path), kept);
   }
 }
 

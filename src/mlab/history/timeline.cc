@@ -57,6 +57,7 @@ void Timeline::lay(const Replay& replay) {
 bool Timeline::step_front() {
   const Stopwatch watch;
   if (!front_->step()) return false;
+  if (watcher_) watcher_(front_->run());
   since_laid_ += watch.seconds();
   if (since_laid_ >= std::max(settings_.spacing, kLeastOfPass * cost_of_save_)) {
     lay(*front_);

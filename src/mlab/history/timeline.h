@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,16 @@ class Timeline {
   /// @return null where it can't be computed again, which is said in `sink`
   static std::unique_ptr<Timeline> make(std::shared_ptr<const History> history, ReplayTools tools,
                                         const Settings& settings, text::Diagnostics& sink);
+
+  /// Called after each cycle of the first pass that is still to come, with the run as it is then.
+  using Watcher = std::function<void(const run::MissionRun& run)>;
+  void set_watcher(Watcher watcher) { watcher_ = std::move(watcher); }
+  /// What the executive of the first pass decides, from now on.
+  void set_observer(run::MissionRun::Observer observer) { front_->run().set_observer(std::move(observer)); }
+  /// The run of the first pass; between two calls it does not change.
+  const run::MissionRun& first_pass() const { return front_->run(); }
+  /// The same run once more, at its beginning, for who wants to see each of its cycles.
+  std::unique_ptr<Replay> again() const { return front_->again(); }
 
   /// Goes on with the first pass.
   /// @param seconds  that it may take, about; one cycle is computed in any case
@@ -67,6 +78,7 @@ class Timeline {
   std::unique_ptr<Replay> front_;  // the first pass
   std::unique_ptr<Replay> shown_;
   KeptCheckpoints kept_;
+  Watcher watcher_;
   std::string why_slow_;
   double since_laid_ = 0.0;    // the first pass has computed for so long since its last checkpoint [s]
   double cost_of_save_ = 0.0;  // of one checkpoint [s]

@@ -20,7 +20,7 @@ class Understood {
   using One = std::expected<run::Input, std::string>;
 
   Understood(std::shared_ptr<const History> history, ReplayTools tools)
-      : history_(std::move(history)), remaker_(*history_, std::move(tools)) {}
+      : history_(std::move(history)), remaker_(history_, std::move(tools)) {}
 
   const std::shared_ptr<const History>& history() const { return history_; }
   Remaker& remaker() { return remaker_; }

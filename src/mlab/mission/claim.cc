@@ -60,7 +60,8 @@ bool leave_out(Turn& turn, Run& run) {
   run.missing = static_cast<std::uint32_t>(run.needed.size());
   if (!run.needed.empty() || out.empty() || task == Task::kStart) return true;
   end_run(turn, run, Outcome::kFailed,
-          fmt::format("{} {} not run", robots_text(out), out.size() == 1 ? "does" : "do"));
+          fmt::format("{} {} not run", robots_text(out), out.size() == 1 ? "does" : "do"),
+          Failure::kNobodyLeft);
   return false;
 }
 

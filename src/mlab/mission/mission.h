@@ -135,7 +135,9 @@ enum class NumberOption : std::uint8_t {
   kMinObstacleRadius,
   kMaxObstacleRadius,
   kZoomFactor,
-  kCycleDuration
+  kCycleDuration,
+  kFailingRobots,
+  kFailuresWithin
 };
 /// `SET option ON`
 struct SetBoolean {
@@ -170,6 +172,8 @@ struct Options {
   double max_obstacle_radius = 10.0;  ///< [m]
   double zoom_percent = 100.0;
   std::optional<double> cycle_duration;  ///< [s]
+  double failing_robots = 0.0;           ///< in simulation: of each run, a whole number
+  double failures_within = 100.0;        ///< they fail so soon after their start, at the latest [s]
   bool use_military_style = true;
   bool show_trails = false;
   bool highlight_repelling_obstacles = false;

@@ -162,7 +162,7 @@ void fail_starts(Turn& turn, const std::map<std::uint32_t, std::uint32_t>& faile
     if (run.phase != Run::Phase::kRobots || at == failed.end() || at->second < run.missing) continue;
     has_failed = true;
     const bool of_step = is_step(s, run.owner);
-    fail(turn, run, undone_text(s, run));
+    fail(turn, run, Failure::kNotStarted, undone_text(s, run));
     if (of_step) break;  // its runs are gone
   }
   if (has_failed) go_on(turn);
@@ -171,6 +171,14 @@ void fail_starts(Turn& turn, const std::map<std::uint32_t, std::uint32_t>& faile
 // A command that ends by itself at a time is not waited for in vain.
 bool needs_patience(const Run& run) {
   return run.phase == Run::Phase::kRobots && run.missing > 0 && !run.ends && !holds_at_line(run);
+}
+
+// Of those that it waits for, some do not run and will not by themselves.
+bool has_lost_robots(const State& state, const Run& run) {
+  return std::ranges::any_of(run.needed, [&](base::RobotId id) {
+    const RobotState* robot = find_robot(state, id);
+    return robot != nullptr && !robot->done && robot->seen != 0 && !robot->is_running;
+  });
 }
 
 // Fails commands that made no progress for too long; of a step the first one, with which the step fails.
@@ -184,7 +192,8 @@ void check_patience(Turn& turn) {
     if (s.options.patience <= 0.0 || run.stalled < s.options.patience) continue;
     has_failed = true;
     const bool of_step = is_step(s, run.owner);
-    fail(turn, run, fmt::format("no progress for {:.0f} s; {}", run.stalled, undone_text(s, run)));
+    fail(turn, run, has_lost_robots(s, run) ? Failure::kRobotsLost : Failure::kNoProgress,
+         fmt::format("no progress for {:.0f} s; {}", run.stalled, undone_text(s, run)));
     if (of_step) break;  // its runs are gone
   }
   if (has_failed) go_on(turn);

@@ -21,6 +21,14 @@ std::string_view name(Outcome outcome) {
   return index < kNames.size() ? kNames[index] : "";
 }
 
+std::string_view name(Failure failure) {
+  constexpr std::array<std::string_view, 5> kNames = {"", "robots did not start", "no progress",
+                                                      "no progress, and robots that it waits for do not run",
+                                                      "none of its robots runs"};
+  const auto index = static_cast<std::size_t>(failure);
+  return index < kNames.size() ? kNames[index] : "";
+}
+
 bool operator==(const CommandRef& a, const CommandRef& b) {
   if (a.value == b.value) return true;
   return a.value != nullptr && b.value != nullptr && fields(*a.value) == fields(*b.value);

@@ -33,6 +33,17 @@ enum class Outcome : std::uint8_t { kPending, kRunning, kDone, kFailed, kAborted
 /// `done`, `failed`, ...
 std::string_view name(Outcome outcome);
 
+/// What kept a command from being done, apart from its details: the same for runs that failed alike.
+enum class Failure : std::uint8_t {
+  kNone,
+  kNotStarted,  ///< robots that were to start do not run
+  kNoProgress,  ///< nobody came nearer to being done for too long
+  kRobotsLost,  ///< likewise, and some of those that it waited for do not run
+  kNobodyLeft   ///< none of its robots runs
+};
+/// `no progress`, ...; empty for none
+std::string_view name(Failure failure);
+
 /// A unit command that lives as long as somebody speaks of it. Two are equal when they say the same.
 struct CommandRef {
   std::shared_ptr<const UnitCommand> value;
@@ -52,6 +63,7 @@ struct CommandRecord {
   double start = 0.0;     ///< [s]
   double end = 0.0;       ///< [s]; meaningful when the outcome is not kRunning
   Outcome outcome = Outcome::kRunning;
+  Failure failure = Failure::kNone;
   std::string message;  ///< why it failed; else empty
 
   friend bool operator==(const CommandRecord&, const CommandRecord&) = default;

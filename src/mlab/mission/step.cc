@@ -137,9 +137,10 @@ void go_on(Turn& turn) {
 }
 
 void end_command(Turn& turn, std::uint32_t owner, std::uint32_t record, Outcome outcome,
-                 const std::string& why) {
+                 const std::string& why, Failure failure) {
   CommandRecord& c = turn.state.commands[record];
   c.outcome = outcome;
+  c.failure = failure;
   c.end = turn.state.time;
   c.message = why;
   std::string text = fmt::format("{}{} {}", owner_prefix(turn.state, owner), c.text, name(outcome));
@@ -147,10 +148,10 @@ void end_command(Turn& turn, std::uint32_t owner, std::uint32_t record, Outcome 
   tell(turn, Kind::kCommandEnded, std::move(text), owner, record);
 }
 
-void end_run(Turn& turn, Run& run, Outcome outcome, const std::string& why) {
+void end_run(Turn& turn, Run& run, Outcome outcome, const std::string& why, Failure failure) {
   run.phase = Run::Phase::kEnded;
   withdraw_of(turn, run);
-  end_command(turn, run.owner, run.record, outcome, why);
+  end_command(turn, run.owner, run.record, outcome, why, failure);
 }
 
 void complete(Turn& turn, Run& run) {
@@ -161,10 +162,10 @@ void complete(Turn& turn, Run& run) {
   }
 }
 
-void fail(Turn& turn, Run& run, const std::string& why) {
+void fail(Turn& turn, Run& run, Failure failure, const std::string& why) {
   State& s = turn.state;
   const std::uint32_t owner = run.owner;
-  end_run(turn, run, Outcome::kFailed, why);
+  end_run(turn, run, Outcome::kFailed, why, failure);
   if (!is_step(s, owner)) return;
   end_runs_of(turn, owner, Outcome::kAborted);
   const std::string text = owner_text(s, owner);

@@ -21,14 +21,15 @@ void go_on(Turn& turn);
 ///
 /// @param owner  index into State::steps: of which step or order it is
 void end_command(Turn& turn, std::uint32_t owner, std::uint32_t record, Outcome outcome,
-                 const std::string& why);
+                 const std::string& why, Failure failure = Failure::kNone);
 /// The run ends, however: nobody is asked for it any more.
-void end_run(Turn& turn, Run& run, Outcome outcome, const std::string& why = {});
+void end_run(Turn& turn, Run& run, Outcome outcome, const std::string& why = {},
+             Failure failure = Failure::kNone);
 /// The run has what it waits for.
 void complete(Turn& turn, Run& run);
 /// The run can't be completed. In a step that fails the step and the mission; an order's other commands go
 /// on.
-void fail(Turn& turn, Run& run, const std::string& why);
+void fail(Turn& turn, Run& run, Failure failure, const std::string& why);
 
 /// Ends the step that runs, if any. Its commands that are not done end with the same outcome; orders go on.
 void abandon_step(Turn& turn, Outcome outcome);

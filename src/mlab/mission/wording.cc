@@ -58,6 +58,10 @@ std::string_view option_name(NumberOption option) {
       return "ZOOM-FACTOR";
     case NumberOption::kCycleDuration:
       return "CYCLE-DURATION";
+    case NumberOption::kFailingRobots:
+      return "FAILING-ROBOTS";
+    case NumberOption::kFailuresWithin:
+      return "FAILURES-WITHIN";
   }
   return "";
 }

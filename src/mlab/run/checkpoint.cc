@@ -27,7 +27,8 @@ std::size_t bytes_of(const RunState& state) {
   std::size_t out = sizeof state + bytes_of(state.executive) + bytes_of(state.crews) +
                     bytes_of(state.metrics) + bytes_of(state.answers) + bytes_of(state.interventions) +
                     bytes_of(state.takeovers) + bytes_of(state.deliveries) + bytes_of(state.failsafes) +
-                    bytes_of(state.carriers);
+                    bytes_of(state.carriers) + bytes_of(state.milestones);
+  for (const UnitMetrics& metrics : state.metrics) out += bytes_of(metrics.legs);
   for (const Takeover& takeover : state.takeovers) out += bytes_of(takeover.robots);
   for (const FailsafeRecord& record : state.failsafes) out += record.what.size();
   return out;

@@ -32,9 +32,13 @@ MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
   const mission::Mission& plan = *now_.executive.mission;
   now_.dt = plan.options.cycle_duration.value_or(now_.dt);
   now_.metrics.resize(plan.units.size());
-  fleet_ = std::make_unique<fleet::Fleet>(
-      plan, crew->programs, crew->bodies, *binding_, settings_.seed,
-      settings_.robots_elsewhere ? settings_.robots_elsewhere(settings_.seed, now_.dt) : nullptr);
+  const auto recorded = [this] { return settings_.recorded.runner([this] { return now_.cycle; }); };
+  std::unique_ptr<robot::ProgramRunner> elsewhere;
+  if (settings_.robots_elsewhere) elsewhere = settings_.robots_elsewhere(settings_.seed, now_.dt);
+  if (settings_.recorded.runner && settings_.recorded.is_of_all) elsewhere = recorded();
+  fleet_ =
+      std::make_unique<fleet::Fleet>(plan, crew->programs, crew->bodies, *binding_, settings_.seed,
+                                     std::move(elsewhere), settings_.recorded.runner ? recorded() : nullptr);
   now_.crews.push_back(std::move(crew));
 }
 
@@ -88,7 +92,7 @@ void MissionRun::start_robot(const mission::effect::Start& start) {
   }
 }
 
-std::vector<PlannedStart> MissionRun::planned_starts() {
+std::vector<PlannedStart> MissionRun::planned_starts() const {
   std::vector<PlannedStart> starts;
   std::vector<binding::BodySetup> setups;
   std::vector<bool> is_planned(fleet_->robots().size());
@@ -278,9 +282,26 @@ void MissionRun::note_deliveries() {
   }
 }
 
+void MissionRun::measure_way(std::size_t robot, const fleet::Group& group, UnitMetrics& metrics) {
+  const fleet::FleetRobot& one = fleet_->robots()[robot];
+  if (one.rank == 0) {
+    const auto leg = std::ranges::find(metrics.legs, group.order.sequence, &UnitMetrics::Leg::order);
+    if (leg == metrics.legs.end())
+      metrics.legs.push_back({group.order.sequence, group.members.size(), group.center, group.center});
+    else
+      leg->to = group.center;
+  }
+  now_.milestones.resize(fleet_->robots().size());
+  Milestone& before = now_.milestones[robot];
+  const double driven = binding_->view().body(one.body).distance_driven;
+  if (before.cycle + 1 == now_.cycle) metrics.driven += driven - before.driven;
+  before = {now_.cycle, driven};
+}
+
 void MissionRun::measure() {
   note_deliveries();
-  for (const fleet::FleetRobot& robot : fleet_->robots()) {
+  for (std::size_t i = 0; i < fleet_->robots().size(); ++i) {
+    const fleet::FleetRobot& robot = fleet_->robots()[i];
     if (robot.life != fleet::RobotLife::kRunning) continue;
     ++now_.robot_cycles;
     const fleet::Group* group = fleet_->group(robot);
@@ -290,6 +311,8 @@ void MissionRun::measure() {
     if (group->command->unit >= now_.metrics.size())
       now_.metrics.resize(now_.executive.mission->units.size());
     UnitMetrics& metrics = now_.metrics[group->command->unit];
+    measure_way(i, *group, metrics);
+    if (!fleet::has_station(*group, robot.rank)) continue;
     const double error = fleet_->station_error(robot);
     metrics.error_sum += error;
     metrics.max_error = std::max(metrics.max_error, error);

@@ -40,6 +40,14 @@ struct RunSettings {
   /// @param cycle_duration  of the mission [s]
   std::function<std::unique_ptr<robot::ProgramRunner>(std::uint64_t seed, double cycle_duration)>
       robots_elsewhere = {};
+  /// What programs answered that can't be computed again.
+  struct Recorded {
+    /// Makes what says it for one run, of which it is told how many cycles have run, the one that is being
+    /// computed included; empty: there are none.
+    std::function<std::unique_ptr<robot::ProgramRunner>(std::function<std::uint64_t()> cycle)> runner = {};
+    bool is_of_all = false;  ///< all programs that can be elsewhere are among these
+  };
+  Recorded recorded = {};
   std::shared_ptr<StopLine> stop_line = {};  ///< null: the emergency stop is this run's own
   bool is_in_real_time =
       false;  ///< robots elsewhere are not waited for: time passes as on the clock, no faster
@@ -59,6 +67,8 @@ class MissionRun {
   /// @param binding  the robots' bodies, not null
   MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
              std::unique_ptr<binding::Binding> binding);
+  MissionRun(const MissionRun&) = delete;
+  MissionRun& operator=(const MissionRun&) = delete;
 
   /// Called for everything that the executive wants told, asked, shown or set, when it happens.
   using Observer = std::function<void(const mission::Effect&)>;
@@ -66,6 +76,8 @@ class MissionRun {
   /// Called for all that comes in from outside, before it has any effect.
   using InputObserver = std::function<void(const Moment&, const Input&)>;
   void set_input_observer(InputObserver observer) { input_observer_ = std::move(observer); }
+  /// As fleet::Fleet.
+  void set_answer_witness(fleet::AnswerWitness* witness) { fleet_->set_witness(witness); }
   /// Takes what came into another run of this mission. What was refused there is refused here.
   void take(const Input& input);
   /// Where the run stands.
@@ -150,7 +162,7 @@ class MissionRun {
   /// Where the plan's first START of each robot will put it if the world stays as it is: the next free place
   /// included. In the order in which they start; without those that were started, that no START names, or for
   /// which there is no place. Nothing is changed.
-  std::vector<PlannedStart> planned_starts();
+  std::vector<PlannedStart> planned_starts() const;
 
   bool is_over() const;
   /// Simulated [s]. Counted in cycles, so that it does not drift; SET CYCLE-DURATION changes the length of
@@ -203,6 +215,7 @@ class MissionRun {
   void change_environment();
   void happen(const overlay::EnvironmentEvent& event, std::uint64_t execution);
   void measure();
+  void measure_way(std::size_t robot, const fleet::Group& group, UnitMetrics& metrics);
   void note_deliveries();
   void tell(mission::effect::Tell::Kind kind, std::string text);
   void answer_calls();

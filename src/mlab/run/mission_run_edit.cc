@@ -39,11 +39,11 @@ std::string why_not(const fleet::Fleet& fleet, const Crew& crew) {
       return "there are other robots now";
     if (robot->body_spec != crew.bodies[one.type])
       return fmt::format("the body of {} has changed", robot->type);
-    if (robot->program->native || program.native)
+    if (robot->program->is_closed() || program.is_closed())
       return fmt::format("the program of {} is an executable, which keeps its values to itself", robot->type);
     if (program.is_described_only)
       return fmt::format("{} brings procedures that were only checked", robot->type);
-    if (!program.program || robot->runner == nullptr)
+    if (!program.can_run() || robot->runner == nullptr)
       return fmt::format("nothing here answers to the program of {}", robot->type);
   }
   return "";

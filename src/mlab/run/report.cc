@@ -95,6 +95,11 @@ Json units_json(const MissionRun& run) {
                               {"mean_m", rounded(metrics.mean_error())},
                               {"max_m", rounded(metrics.max_error)},
                               {"out_of_formation_share", rounded(metrics.out_share())}};
+    const double straight = metrics.straight();
+    out["way_in_formation"] = {
+        {"driven_m", rounded(metrics.driven)},
+        {"straight_m", rounded(straight)},
+        {"ratio", straight > 0.0 ? Json(rounded(metrics.driven / straight)) : Json(nullptr)}};
     units.push_back(std::move(out));
   }
   return units;

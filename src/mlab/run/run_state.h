@@ -13,6 +13,12 @@
 
 namespace mlab::run {
 
+/// How far a robot had driven by some cycle.
+struct Milestone {
+  std::uint64_t cycle = 0;
+  double driven = 0.0;  ///< [m]
+};
+
 /// All that a mission run keeps from one cycle to the next, but for its fleet and bodies. It is copied whole:
 /// what is to be known after a cycle stands here, or follows from it.
 struct RunState {
@@ -27,6 +33,7 @@ struct RunState {
   std::size_t moved_at_start = 0;  ///< by the effects in hand
   bool is_full = false;            ///< the environment had no room once, which was told
   std::vector<UnitMetrics> metrics;
+  std::vector<Milestone> milestones;  ///< by robot; empty as long as no unit has had a formation
   std::vector<AnswerRecord> answers;
   std::vector<InterventionRecord> interventions;
   std::vector<Takeover> takeovers;

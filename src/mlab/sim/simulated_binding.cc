@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 namespace mlab::sim {
 namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 bool is_before(const Disc& a, const Disc& b) {
   return std::tuple(a.center.x, a.center.y, a.radius) < std::tuple(b.center.x, b.center.y, b.radius);
@@ -26,21 +29,45 @@ std::vector<Disc> difference(const std::vector<Disc>& from, const std::vector<Di
 
 class KeptSimulation final : public binding::Binding::Kept {
  public:
-  explicit KeptSimulation(std::shared_ptr<const Simulator::State> kept) : state(std::move(kept)) {}
-  std::size_t bytes() const override { return Simulator::bytes(*state); }
+  KeptSimulation(std::shared_ptr<const Simulator::State> kept, std::vector<double> failures)
+      : state(std::move(kept)), fails_at(std::move(failures)) {}
+  std::size_t bytes() const override { return Simulator::bytes(*state) + fails_at.size() * sizeof(double); }
 
   const std::shared_ptr<const Simulator::State> state;
+  const std::vector<double> fails_at;
 };
 
 }  // namespace
 
 SimulatedBinding::SimulatedBinding(World world, SimulatorSettings settings)
-    : simulator_(std::move(world), settings), buffers_(static_cast<std::size_t>(workers().count())) {}
+    : simulator_(std::move(world), settings),
+      breakdowns_(std::move(settings.breakdowns)),
+      buffers_(static_cast<std::size_t>(workers().count())) {}
 
 std::expected<Placement, std::string> SimulatedBinding::embody(const BodySetup& setup) {
   const std::optional<Placement> placement = simulator_.add_body(setup);
   if (!placement) return std::unexpected("there is no free place near");
+  if (!breakdowns_.empty()) note_breakdown(placement->body, setup.robot);
   return *placement;
+}
+
+// Who has broken down once gets another body, which is well.
+void SimulatedBinding::note_breakdown(BodyIndex body, base::RobotId robot) {
+  fails_at_.resize(simulator_.body_count(), kNever);
+  const auto breakdown = std::ranges::find(breakdowns_, robot, &Breakdown::robot);
+  if (breakdown == breakdowns_.end()) return;
+  for (std::uint32_t other = 0; other < simulator_.body_count(); ++other) {
+    if (BodyIndex{other} != body && simulator_.robot(BodyIndex{other}) == robot) return;
+  }
+  fails_at_[body.value] = time() + breakdown->after;
+}
+
+void SimulatedBinding::health(std::vector<binding::Ailment>& out) {
+  for (std::uint32_t body = 0; body < fails_at_.size(); ++body) {
+    if (fails_at_[body] > time()) continue;
+    fails_at_[body] = kNever;
+    out.push_back({BodyIndex{body}, "has broken down"});
+  }
 }
 
 void SimulatedBinding::percepts(std::span<const binding::Sensing> robots, int worker) {
@@ -67,13 +94,14 @@ void SimulatedBinding::poses(std::span<const BodyIndex> bodies, std::span<geom::
 }
 
 std::expected<std::shared_ptr<const binding::Binding::Kept>, std::string> SimulatedBinding::save() const {
-  return std::make_shared<const KeptSimulation>(simulator_.snapshot());
+  return std::make_shared<const KeptSimulation>(simulator_.snapshot(), fails_at_);
 }
 
 bool SimulatedBinding::restore(const Kept& kept) {
   const auto* const simulation = dynamic_cast<const KeptSimulation*>(&kept);
   if (simulation == nullptr) return false;
   simulator_.restore(*simulation->state);
+  fails_at_ = simulation->fails_at;
   return true;
 }
 

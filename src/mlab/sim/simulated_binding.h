@@ -19,8 +19,8 @@ class SimulatedBinding final : public binding::Binding, private binding::WorldVi
   binding::Capabilities capabilities(BodyIndex body) const override {
     return binding::capabilities_of(simulator_.spec(body));
   }
-  /// Bodies that are made up are always well.
-  void health(std::vector<binding::Ailment>& /*out*/) override {}
+  /// Bodies that are made up are well, but for those that the settings let break down.
+  void health(std::vector<binding::Ailment>& out) override;
 
   void percepts(std::span<const binding::Sensing> robots, int worker) override;
   void carry_out(std::span<const percept::Action> actions, double dt) override;
@@ -45,9 +45,12 @@ class SimulatedBinding final : public binding::Binding, private binding::WorldVi
   percept::Percepts sense(BodyIndex body, const percept::Needs& needs) const override;
   percept::Percepts sense_at(BodyIndex body, const geom::Pose& pose,
                              const percept::Needs& needs) const override;
+  void note_breakdown(BodyIndex body, base::RobotId robot);
   std::vector<base::RobotId> robots_of(const std::vector<Placement>& moved) const;
 
   Simulator simulator_;
+  std::vector<Breakdown> breakdowns_;
+  std::vector<double> fails_at_;  // by body [s]; endless: never, or it has; empty where nobody fails
   std::vector<std::array<SenseBuffer, kMostAtOnce>> buffers_;  // by worker
   std::vector<percept::Action> actions_;                       // by body
   mutable SenseBuffer view_buffer_;

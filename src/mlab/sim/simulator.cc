@@ -110,7 +110,7 @@ class Simulator::State {
 };
 
 struct Simulator::Parts {
-  Parts(World world, SimulatorSettings chosen)
+  Parts(World world, const SimulatorSettings& chosen)
       : settings(chosen),
         workers(chosen.threads),
         state{{},
@@ -252,7 +252,7 @@ void Simulator::Parts::count_wheels() {
   }
 }
 
-Simulator::Simulator(World world, SimulatorSettings settings) {
+Simulator::Simulator(World world, const SimulatorSettings& settings) {
   keep_usable(world);
   parts_ = std::make_unique<Parts>(std::move(world), settings);
 }

@@ -18,9 +18,16 @@ namespace mlab::sim {
 
 using binding::Workers;
 
+/// A robot that fails: from then on its body stands.
+struct Breakdown {
+  base::RobotId robot;
+  double after = 0.0;  ///< since it came into the world [s]
+};
+
 struct SimulatorSettings {
   std::uint64_t seed = 1;  ///< of the sensors' noise
   int threads = 1;         ///< results are the same for any number
+  std::vector<Breakdown> breakdowns = {};
 };
 
 /// Seconds of wall clock that step() has spent since the simulator was made.
@@ -36,7 +43,7 @@ struct StepTimes {
 /// same calls with the same seed give the same result, bit for bit, for any number of threads.
 class Simulator {
  public:
-  explicit Simulator(World world, SimulatorSettings settings = {});
+  explicit Simulator(World world, const SimulatorSettings& settings = {});
   ~Simulator();
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;

@@ -4,13 +4,16 @@
 
 #include "mlab/sim/simulated_binding.h"
 #include "mlab/sim/world.h"
+#include "mlab/simulated/breakdowns.h"
 
 namespace mlab::simulated {
 
 std::unique_ptr<binding::Binding> make_bodies(const mission::Mission& mission,
                                               const run::RunSettings& settings) {
-  return std::make_unique<sim::SimulatedBinding>(sim::world_of(mission.overlay),
-                                                 sim::SimulatorSettings{settings.seed, settings.threads});
+  sim::SimulatorSettings around{settings.seed, settings.threads, {}};
+  for (const Breakdown& one : breakdowns_of(mission, settings.seed))
+    around.breakdowns.push_back({one.robot, one.after});
+  return std::make_unique<sim::SimulatedBinding>(sim::world_of(mission.overlay), std::move(around));
 }
 
 std::unique_ptr<run::MissionRun> make_run(std::shared_ptr<const run::Crew> crew,

@@ -17,8 +17,14 @@ statistics::Interval interval_of(const Definition& definition, statistics::Count
 }
 
 Batch::Batch(const Definition& definition, const Plan& plan,
-             const std::vector<std::unique_ptr<Scene>>& scenes, ResultsFile* kept)
-    : definition_(definition), plan_(plan), scenes_(scenes), kept_(kept) {
+             const std::vector<std::unique_ptr<Scene>>& scenes, Keeper* kept, Share share)
+    : definition_(definition),
+      plan_(plan),
+      scenes_(scenes),
+      kept_(kept),
+      share_(std::move(share)),
+      next_(share_.rank),
+      choice_(share_.rank) {
   cells_.resize(plan.versions() * plan.combinations());
   open_.resize(cells_.size());
 }
@@ -61,16 +67,81 @@ void Batch::count(Row row) {
   if (open.is_closed) open.waiting.clear();
 }
 
-std::optional<RunKey> Batch::next() {
+bool Batch::is_counted(const RunKey& key) const {
+  const std::size_t at = index(key);
+  return open_[at].is_closed || key.run < cells_[at].rows.size() || open_[at].waiting.contains(key.run);
+}
+
+std::shared_ptr<Batch::Running> Batch::begin(std::uint64_t place) {
+  auto out = std::make_shared<Running>();
+  out->key = plan_.key(place);
+  out->place = place;
+  running_.push_back(out);
+  return out;
+}
+
+void Batch::forget(const Running& running) {
+  std::erase_if(running_, [&](const auto& one) { return one.get() == &running; });
+}
+
+std::shared_ptr<Batch::Running> Batch::next() {
   const std::lock_guard lock(mutex_);
-  while (!is_not_kept_ && next_ < plan_.all()) {
-    const RunKey key = plan_.key(next_++);
-    const std::size_t at = index(key);
-    if (open_[at].is_closed || key.run < cells_[at].rows.size() || open_[at].waiting.contains(key.run))
-      continue;
-    return key;
+  if (is_not_kept_ || is_over_) return nullptr;
+  while (next_ < plan_.all()) {
+    const std::uint64_t place = std::exchange(next_, next_ + share_.count);
+    if (!is_counted(plan_.key(place))) return begin(place);
+  }
+  if (share_.is_alone()) return nullptr;
+  if (others_.empty()) {
+    for (std::uint64_t place = plan_.all(); place-- > 0;) others_.push_back(place);
+  }
+  hear();
+  const auto place = place_of_others();
+  return place && !is_over_ ? begin(*place) : nullptr;
+}
+
+std::optional<std::uint64_t> Batch::place_of_others() {
+  // With early stopping those that come later may never count.
+  const std::size_t near = 8 * std::size_t{share_.count};
+  constexpr int kTries = 32;
+  const auto is_running = [this](std::uint64_t place) {
+    return std::ranges::any_of(running_, [&](const auto& one) { return one->place == place; });
+  };
+  for (int i = 0; i < kTries && others_.size() > near; ++i) {
+    const std::size_t among = definition_.until ? near : others_.size();
+    const auto at = others_.end() - 1 - static_cast<std::ptrdiff_t>(choice_.below(among));
+    const std::uint64_t place = *at;
+    if (is_counted(plan_.key(place))) {
+      // Only with early stopping their order matters.
+      if (!definition_.until) std::swap(*at, others_.back());
+      others_.erase(definition_.until ? at : others_.end() - 1);
+    } else if (!is_running(place)) {
+      return place;
+    }
+  }
+  std::erase_if(others_, [this](std::uint64_t place) { return is_counted(plan_.key(place)); });
+  const std::size_t first = others_.empty() ? 0 : choice_.below(std::min(near, others_.size()));
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const std::uint64_t place = others_[others_.size() - 1 - (first + i) % others_.size()];
+    if (!is_running(place)) return place;
   }
   return std::nullopt;
+}
+
+void Batch::hear() {
+  constexpr std::chrono::milliseconds kBetween{20};
+  const auto now = std::chrono::steady_clock::now();
+  if (share_.is_alone() || kept_ == nullptr || now - heard_ < kBetween) return;
+  heard_ = now;
+  for (Row& row : kept_->news()) {
+    const bool is_planned = row.key.version < plan_.versions() &&
+                            row.key.combination < plan_.combinations() && row.key.run < plan_.runs();
+    if (is_planned) count(std::move(row));
+  }
+  is_over_ = kept_->is_over();
+  for (const auto& one : running_) {
+    if (is_over_ || is_counted(one->key)) one->is_needless = true;
+  }
 }
 
 Row Batch::carry_out_one(const RunKey& key, const std::function<bool()>& wants_end, bool& is_given_up) const {
@@ -87,17 +158,32 @@ Row Batch::carry_out_one(const RunKey& key, const std::function<bool()>& wants_e
   return row;
 }
 
+void Batch::finish(Row row, const Running& running) {
+  const std::lock_guard lock(mutex_);
+  forget(running);
+  if (is_counted(row.key)) return;
+  if (kept_ != nullptr && !kept_->append(row)) is_not_kept_ = true;
+  const RunKey key = row.key;
+  count(std::move(row));
+  if (!open_[index(key)].is_closed) return;
+  for (const auto& one : running_) {
+    if (index(one->key) == index(key)) one->is_needless = true;
+  }
+}
+
 void Batch::work(const std::function<bool()>& wants_end) {
   while (!wants_end()) {
-    const std::optional<RunKey> key = next();
-    if (!key) return;
+    const std::shared_ptr<Running> running = next();
+    if (!running) return;
     bool is_given_up = false;
-    Row row = carry_out_one(*key, wants_end, is_given_up);
-    if (is_given_up) return;
+    Row row = carry_out_one(running->key, [&] { return running->is_needless || wants_end(); }, is_given_up);
+    if (!is_given_up) {
+      finish(std::move(row), *running);
+      continue;
+    }
     const std::lock_guard lock(mutex_);
-    if (open_[index(*key)].is_closed) continue;
-    if (kept_ != nullptr && !kept_->append(row)) is_not_kept_ = true;
-    count(std::move(row));
+    forget(*running);
+    if (!running->is_needless) return;
   }
 }
 
@@ -134,11 +220,17 @@ Batch::End Batch::run(int threads, const std::function<bool()>& wants_end,
       is_over = changed.wait_for(lock, kBetweenLooks, [&] { return working == 0; });
     }
     const std::lock_guard lock(mutex_);
+    hear();
     look(progress());
   }
   workers.clear();
   if (is_not_kept_) return End::kNotKept;
-  return std::ranges::all_of(open_, &Open::is_closed) ? End::kDone : End::kInterrupted;
+  if (is_over_) return End::kOver;
+  return is_complete() ? End::kDone : End::kInterrupted;
+}
+
+bool Batch::is_complete() const {
+  return std::ranges::all_of(open_, &Open::is_closed);
 }
 
 }  // namespace mlab::study

@@ -53,11 +53,11 @@ struct Made {
     }
     begin(nullptr);
   }
-  void begin(ResultsFile* kept) { batch = std::make_unique<Batch>(definition, *plan, scenes, kept); }
+  void begin(Keeper* kept) { batch = std::make_unique<Batch>(definition, *plan, scenes, kept); }
   Batch::End run(int threads, const std::function<bool()>& wants_end = [] { return false; }) {
     return batch->run(threads, wants_end, [](const Progress&) {});
   }
-  std::string csv() const { return csv_of(*batch, definition, *plan); }
+  std::string csv() const { return csv_of(*batch, summary_of(*batch, definition, *plan), definition, *plan); }
 
   Definition definition;
   ReadOnce once;
@@ -229,7 +229,7 @@ TEST(Tables, AndPagesSayTheSame) {
   EXPECT_EQ(json["summary"]["combinations"].size(), 2U);
   EXPECT_EQ(json["summary"]["combinations"][0]["runs"], 6);
   const std::string page =
-      page_of(*made.batch, summary, made.definition, *made.plan, {"A <b> & \"c\"", "0.0"});
+      page_of(*made.batch, summary, made.definition, *made.plan, {"A <b> & \"c\"", "p.html", "0.0"});
   EXPECT_NE(page.find("<title>Batch: A &lt;b&gt; &amp; &quot;c&quot;</title>"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("http:"), std::string::npos);

@@ -51,6 +51,10 @@ constexpr auto kFields = std::to_array<Field>({
     {"environment", "FILE", "change the world while the mission runs, as this file says", true},
     {"table", "FILE.csv|FILE.json", "write a row for each run", true},
     {"html", "FILE.html", "write a page with plots, in one file", true},
+    {"recordings", "FOLDER|none",
+     "record one run of each cause of failure there, by running it again (default: beside --html or "
+     "--table, out.failures)",
+     true},
     {"results", "FILE",
      "keep what is done in this file (default: beside --table or --html until all is done)", true},
 });
@@ -133,6 +137,7 @@ std::optional<text::Diagnostic> take(Definition& d, std::string_view field, cons
   if (field == "environment") return take_file(value, d.environment);
   if (field == "table") return take_file(value, d.table);
   if (field == "html") return take_file(value, d.page);
+  if (field == "recordings") return take_file(value, d.recordings);
   if (field == "results") return take_file(value, d.results);
   if (field == "runs") return take_whole<std::uint32_t>(value, 1, kMostRuns, d.runs);
   // A mission's file means a seed by a number that others read as well.

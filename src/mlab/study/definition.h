@@ -33,10 +33,14 @@ struct Definition {
   std::optional<Until> until;
   double confidence = 0.0;  ///< of intervals that are shown; 0: that of the first requirement
 
-  std::string table;    ///< file, CSV or JSON by its name; empty: none
-  std::string page;     ///< HTML file; empty: none
-  std::string results;  ///< file that runs are kept in; empty: by the others' names
+  std::string table;       ///< file, CSV or JSON by its name; empty: none
+  std::string page;        ///< HTML file; empty: none
+  std::string recordings;  ///< folder; `none`: no run is recorded; empty: by the others' names
+  std::string results;     ///< file that runs are kept in; empty: by the others' names
 };
+
+/// In place of a folder of recordings.
+inline constexpr std::string_view kNoRecordings = "none";
 
 /// A field of a definition: an option of the command line, and a key of a study's file.
 struct Field {

@@ -43,11 +43,6 @@ struct Cause {
   std::string message;
 };
 
-// What comes before the details of single robots, which differ from run to run.
-std::string head_of(const std::string& message) {
-  return message.substr(0, message.find(';'));
-}
-
 // Of the first command that failed.
 std::optional<Cause> failed_command(const mission::State& state) {
   for (const mission::StepRecord& step : state.steps) {
@@ -56,7 +51,7 @@ std::optional<Cause> failed_command(const mission::State& state) {
       if (record.outcome != mission::Outcome::kFailed) continue;
       const std::string where =
           step.label.empty() ? record.text : fmt::format("step {}: {}", step.label, record.text);
-      return Cause{fmt::format("{}: {}", where, head_of(record.message)),
+      return Cause{fmt::format("{}: {}", where, name(record.failure)),
                    fmt::format("{}: {}", where, record.message)};
     }
   }
@@ -65,9 +60,10 @@ std::optional<Cause> failed_command(const mission::State& state) {
 
 std::optional<Cause> fault(const run::MissionRun& run) {
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
-    const std::string why = failure_of(robot);
-    if (why.empty()) continue;
-    return Cause{"a robot has a fault: " + head_of(why), fmt::format("robot {}: {}", robot.id.value, why)};
+    const fleet::Fault kind = fault_of(robot);
+    if (kind == fleet::Fault::kNone) continue;
+    return Cause{fmt::format("a robot stands: {}", name(kind)),
+                 fmt::format("robot {}: {}", robot.id.value, failure_of(robot))};
   }
   return std::nullopt;
 }
@@ -88,16 +84,20 @@ Cause cause_of(const run::MissionRun& run, const Row& row, const Definition& def
 
 void measure_formations(const run::MissionRun& run, Row& row) {
   run::UnitMetrics all;
+  double straight = 0.0;
   for (const run::UnitMetrics& unit : run.unit_metrics()) {
     all.error_sum += unit.error_sum;
     all.max_error = std::max(all.max_error, unit.max_error);
     all.samples += unit.samples;
+    all.driven += unit.driven;
+    straight += unit.straight();
     all.out_of_formation += unit.out_of_formation;
   }
   if (all.samples == 0) return;
   row[Number::kFormationError] = all.mean_error();
   row[Number::kWorstFormationError] = all.max_error;
   row[Number::kOutOfFormation] = all.out_share();
+  if (straight > 0.0) row[Number::kPathRatio] = all.driven / straight;
 }
 
 void measure_robots(const run::MissionRun& run, Row& row) {
@@ -119,9 +119,12 @@ void measure_robots(const run::MissionRun& run, Row& row) {
 }  // namespace
 
 std::optional<run::RunEnd> carry_out(run::MissionRun& run, const Definition& definition,
-                                     const std::function<bool()>& wants_end) {
+                                     const std::function<bool()>& wants_end, history::Recorder* recorder) {
   Unattended person;
-  run.set_observer([&](const mission::Effect& effect) { person.see(effect); });
+  run.set_observer([&](const mission::Effect& effect) {
+    person.see(effect);
+    if (recorder != nullptr) recorder->see(effect);
+  });
   run.set_meanwhile(wants_end);
   run.post(mission::event::Execute{});
   std::optional<run::RunEnd> end;
@@ -136,6 +139,7 @@ std::optional<run::RunEnd> carry_out(run::MissionRun& run, const Definition& def
       break;
     }
     const run::MissionRun::Progress progress = run.step();
+    if (recorder != nullptr && progress == run::MissionRun::Progress::kStepped) recorder->note_cycle();
     if (progress == run::MissionRun::Progress::kOver) end = run::RunEnd::kByItself;
     if (person.is_needed() && !end) {
       if (!person.is_waited_for_in_vain(run.state())) continue;

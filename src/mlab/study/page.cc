@@ -1,19 +1,32 @@
 #include "mlab/study/page.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "mlab/base/counted.h"
-#include "mlab/study/charts.h"
+#include "mlab/page/charts.h"
+#include "mlab/page/document.h"
 #include "mlab/study/words.h"
 #include "mlab/text/escape.h"
 
 namespace mlab::study {
 namespace {
+
+using page::Axis;
+using page::axis_row;
+using page::number_axis;
+using page::sample_row;
+using page::share_axis;
+using page::share_row;
+using page::ShareRow;
+using page::table;
 
 constexpr std::size_t kMostDrawn = 40;  // combinations in a plot; the table has all
 constexpr std::size_t kMostBins = 40;   // of a distribution
@@ -21,6 +34,25 @@ constexpr std::size_t kMostPieces = 8;  // of the range of a drawn value
 
 std::string heading_of(std::string_view text) {
   return fmt::format("<h2>{}</h2>\n", text::markup(text));
+}
+
+// As a page in one file refers to another file.
+std::string link(const std::string& from, const std::string& to) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(from).parent_path();
+  const fs::path target(to);
+  fs::path path = target;
+  if (folder.is_absolute() == target.is_absolute())
+    path = target.lexically_relative(folder.empty() ? "." : folder);
+  if (path.empty()) path = target;
+  const std::string plain = path.generic_string();
+  std::string out = plain.starts_with('/') ? "file://" : "./";
+  for (const char c : plain) {
+    const bool is_kept =
+        std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-_.~/").contains(c);
+    out += is_kept ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return out;
 }
 
 /// Builds the page, piece by piece.
@@ -33,13 +65,6 @@ class PageMaker {
   std::string make() {
     const std::string title =
         fmt::format("Batch: {}", words_.title.empty() ? definition_.mission.text : words_.title);
-    out_ = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\">\n<meta http-equiv=\"Content-Security-Policy\" "
-        R"(content="default-src 'none'; style-src )"
-        "'unsafe-inline'\">\n<title>{}</title>\n<style>{}</style>\n</head>\n"
-        "<body>\n<main>\n<h1>{}</h1>\n",
-        text::markup(title), page_style(), text::markup(title));
     add_facts();
     add_verdicts();
     add_shares();
@@ -49,8 +74,7 @@ class PageMaker {
     add_drawn();
     add_failures();
     add_definition();
-    out_ += "</main>\n</body>\n</html>\n";
-    return std::move(out_);
+    return page::document(title, out_);
   }
 
  private:
@@ -228,6 +252,12 @@ class PageMaker {
     }
   }
 
+  std::string recording_of(const FailureGroup& group) const {
+    if (group.recording.empty()) return {};
+    return fmt::format("<a href=\"{}\">its recording</a>, computed again by<code>{}</code>",
+                       text::markup(link(words_.file, group.recording)),
+                       text::markup(replay_of(group.recording)));
+  }
   void add_failures() {
     out_ += heading_of("Failures");
     if (summary_.failures.empty()) {
@@ -235,15 +265,18 @@ class PageMaker {
       return;
     }
     out_ +=
-        "<p class=\"faint\">By cause, each with the first such run and the command that repeats it.</p>\n"
+        "<p class=\"faint\">By cause, each with the first such run and the command that repeats it: a click "
+        "selects "
+        "the whole of it.</p>\n"
         "<ol class=\"causes\">\n";
     for (const FailureGroup& group : summary_.failures) {
       const std::string set = text_of(plan_.settings(group.first));
       out_ += fmt::format(
-          "<li><strong>{}</strong>: {}<br><span class=\"faint\">seed {}{}{}: {}</span><code>{}</code></li>\n",
+          "<li><strong>{}</strong>: {}<br><span class=\"faint\">seed {}{}{}: "
+          "{}</span><code>{}</code>{}</li>\n",
           base::counted(group.count, "run"), text::markup(group.cause), plan_.seed(group.first.run),
           set.empty() ? "" : ", ", text::markup(set), text::markup(group.message),
-          text::markup(group.command));
+          text::markup(group.command), recording_of(group));
     }
     out_ += "</ol>\n";
   }

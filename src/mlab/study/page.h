@@ -9,6 +9,7 @@ namespace mlab::study {
 /// What a page is told besides the batch itself.
 struct PageWords {
   std::string title;  ///< of the mission
+  std::string file;   ///< that the page will be in: links begin there
   std::string program_version;
 };
 

@@ -1,201 +1,136 @@
 #include "mlab/study/results_file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cmath>
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iterator>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
-
-#include "mlab/text/shown.h"
 
 namespace mlab::study {
 namespace {
 
-using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
 
-constexpr int kFormat = 1;
-constexpr const char* kMark = "mlab_batch";
+constexpr std::string_view kRank = ".rank-";
 
-std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string refusal(std::size_t runs) {
+  return fmt::format(
+      "holds {} runs of a batch that was interrupted: --resume goes on with them; else remove it", runs);
 }
 
-Json header_json(const Identity& identity) {
-  Json out;
-  out[kMark] = kFormat;
-  for (const auto& [name, word] : identity) out["batch"][name] = word;
-  return out;
+// What was killed before its first line was whole has begun nothing.
+bool is_unbegun(std::string_view all, const Identity& identity) {
+  return all.find('\n') == std::string_view::npos && header_line(identity).starts_with(all.substr(0, 12));
 }
 
-Json row_json(const Row& row) {
-  Json numbers = Json::array();
-  for (const double number : row.numbers)
-    numbers.push_back(std::isnan(number) ? Json(nullptr) : Json(number));
-  Json out = {{"key", {row.key.version, row.key.combination, row.key.run}},
-              {"seed", row.seed},
-              {"success", row.success},
-              {"outcome", row.outcome},
-              {"numbers", std::move(numbers)}};
-  if (!row.cause.empty()) out["cause"] = row.cause;
-  if (!row.message.empty()) out["message"] = row.message;
-  return out;
-}
-
-// Nothing where the line is none of ours.
-std::optional<Row> row_in(const Json& json) {
-  const auto is_whole = [](const Json& value, std::uint64_t most) {
-    return value.is_number_unsigned() && value.get<std::uint64_t>() <= most;
-  };
-  if (!json.is_object() || !json.contains("key") || !json.contains("numbers") || !json.contains("seed") ||
-      !json.contains("success") || !json.contains("outcome"))
-    return std::nullopt;
-  const Json& key = json["key"];
-  const Json& numbers = json["numbers"];
-  if (!key.is_array() || key.size() != 3 || !numbers.is_array() || numbers.size() != kNumbers.size() ||
-      !is_whole(json["seed"], UINT64_MAX) || !json["success"].is_boolean() || !json["outcome"].is_string())
-    return std::nullopt;
-  for (const Json& part : key) {
-    if (!is_whole(part, UINT32_MAX)) return std::nullopt;
-  }
-  Row out;
-  out.key = {key[0].get<std::uint32_t>(), key[1].get<std::uint32_t>(), key[2].get<std::uint32_t>()};
-  out.seed = json["seed"].get<std::uint64_t>();
-  out.success = json["success"].get<bool>();
-  out.outcome = json["outcome"].get<std::string>();
-  for (std::size_t i = 0; i < kNumbers.size(); ++i) {
-    if (numbers[i].is_number()) out.numbers[i] = numbers[i].get<double>();
-  }
-  for (const auto& [name, into] : {std::pair("cause", &out.cause), std::pair("message", &out.message)}) {
-    if (json.contains(name) && json[name].is_string()) *into = json[name].get<std::string>();
-  }
-  return out;
-}
-
-std::string system_error(const char* what) {
-  return fmt::format("can't be {}: {}", what, std::generic_category().message(errno));
-}
-
-std::optional<std::string> read_all(int descriptor) {
-  std::string out;
-  char block[1 << 16];
-  for (;;) {
-    const ssize_t n = ::read(descriptor, block, sizeof block);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return std::nullopt;
-    if (n == 0) return out;
-    out.append(block, static_cast<std::size_t>(n));
-  }
-}
-
-bool write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
-
-// Where this batch and that of the file part; empty: nowhere.
-std::string difference(const Json& header, const Identity& identity) {
-  for (const auto& [name, word] : identity) {
-    const bool is_there = header["batch"].contains(name) && header["batch"][name].is_string();
-    const std::string there = is_there ? header["batch"][name].get<std::string>() : "";
-    if (there == word) continue;
-    return fmt::format("holds runs of another batch: its {} is `{}`, here it is `{}`", name,
-                       text::shown(there, 100), text::shown(word, 100));
-  }
-  return {};
-}
-
-struct Contents {
-  std::vector<Row> rows;
-  std::size_t size = 0;  // of whole lines
-};
-
-// @param identity  null: whose runs they are does not matter
-std::expected<Contents, std::string> understand(std::string_view all, const Identity* identity) {
-  Contents out;
-  std::size_t line = 0;
-  while (out.size < all.size()) {
-    const std::size_t end = all.find('\n', out.size);
-    const Json json = end == std::string_view::npos
-                          ? Json(nullptr)
-                          : Json::parse(all.substr(out.size, end - out.size), nullptr, false);
-    ++line;
-    if (line == 1) {
-      if (!json.is_object() || !json.contains(kMark) || json[kMark] != kFormat || !json.contains("batch"))
-        return std::unexpected("is no file of a batch's results, and is left alone");
-      if (std::string what = identity != nullptr ? difference(json, *identity) : ""; !what.empty())
+// The part of each process that did some of this batch.
+std::expected<std::vector<Row>, std::string> parts_of(const std::string& path, const Identity& identity,
+                                                      bool resumes) {
+  std::vector<Row> out;
+  for (const std::string& name : rank_files(path)) {
+    const auto file = LockedFile::open_existing(name);
+    if (!file) continue;
+    if (!file->lock()) return std::unexpected(kResultsInUse);
+    const auto all = file->read();
+    auto contents = understand(all.value_or(""));
+    if (!contents) continue;  // it has no whole line yet
+    if (resumes) {
+      if (std::string what = difference(contents->header, identity); !what.empty() && !contents->rows.empty())
         return std::unexpected(std::move(what));
-    } else if (end != std::string_view::npos) {
-      auto row = row_in(json);
-      if (!row) return std::unexpected(fmt::format("has something else than a run in line {}", line));
-      out.rows.push_back(std::move(*row));
     }
-    if (end == std::string_view::npos) break;
-    out.size = end + 1;
+    std::ranges::move(contents->rows, std::back_inserter(out));
   }
   return out;
 }
 
 }  // namespace
 
+std::string rank_file(const std::string& path, std::uint32_t number) {
+  return fmt::format("{}{}{}", path, kRank, number);
+}
+
+std::vector<std::string> rank_files(const std::string& path) {
+  const fs::path whole(path);
+  const std::string start = whole.filename().string() + std::string(kRank);
+  std::vector<std::string> out;
+  std::error_code failure;
+  const fs::path folder = whole.parent_path().empty() ? fs::path(".") : whole.parent_path();
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const std::string name = entry->path().filename().string();
+    const std::string_view number = std::string_view(name).substr(std::min(start.size(), name.size()));
+    if (!name.starts_with(start) || number.empty() || number.size() > 10 ||
+        !std::ranges::all_of(number, [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }))
+      continue;
+    out.push_back((whole.parent_path() / name).string());
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+void remove_rank_files(const std::string& path) {
+  std::error_code failure;
+  for (const std::string& part : rank_files(path)) {
+    if (fs::is_regular_file(fs::symlink_status(part, failure))) fs::remove(part, failure);
+  }
+}
+
+void ResultsFile::finish() {
+  const std::string all = file_.read().value_or("");
+  const std::size_t end = all.find('\n');
+  const auto header = end == std::string::npos ? std::nullopt : header_in(all.substr(0, end));
+  const bool is_shared = header && has_word(*header, "job");
+  remove_rank_files(path_);
+  std::error_code failure;
+  if (!is_shared || !file_.cut(end + 1) || !file_.append(end_line())) fs::remove(path_, failure);
+}
+
 std::optional<std::string> ResultsFile::kept_word(const std::string& path, const std::string& name) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) return std::nullopt;
-  const auto all = read_all(descriptor);
-  ::close(descriptor);
+  const auto file = LockedFile::open_existing(path);
+  const auto all = file ? file->read() : std::nullopt;
   if (!all) return std::nullopt;
-  const Json json = Json::parse(all->substr(0, all->find('\n')), nullptr, false);
-  if (!json.is_object() || !json.contains("batch") || !json["batch"].contains(name) ||
-      !json["batch"][name].is_string())
-    return std::nullopt;
-  return json["batch"][name].get<std::string>();
+  const auto header = header_in(all->substr(0, all->find('\n')));
+  if (!header) return std::nullopt;
+  std::string word = word_in(*header, name);
+  return word.empty() ? std::nullopt : std::optional(std::move(word));
 }
 
 std::expected<ResultsFile::Opened, std::string> ResultsFile::open(const std::string& path,
                                                                   const Identity& identity, bool resumes) {
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
-  if (descriptor < 0) return std::unexpected(system_error("opened"));
-  Opened out;
-  out.file.reset(new ResultsFile(path, descriptor));
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-    return std::unexpected("is in use by another batch that runs now");
-  const auto all = read_all(descriptor);
+  auto file = LockedFile::open(path);
+  if (!file) return std::unexpected(system_error("opened"));
+  if (!file->lock()) return std::unexpected(kResultsInUse);
+  if (!file->is_there()) return open(path, identity, resumes);  // who had it has finished, and removed it
+  const auto all = file->read();
   if (!all) return std::unexpected(system_error("read"));
-  auto contents = understand(*all, resumes ? &identity : nullptr);
-  // What was killed before its first line was whole has begun nothing.
-  const bool is_unbegun =
-      all->find('\n') == std::string::npos && header_json(identity).dump().starts_with(all->substr(0, 12));
-  if (is_unbegun) contents = Contents{};
+  auto parts = parts_of(path, identity, resumes);
+  if (!parts) return std::unexpected(std::move(parts.error()));
+  auto contents = understand(*all);
+  if (is_unbegun(*all, identity)) contents = Contents{};
   if (!contents) return std::unexpected(std::move(contents.error()));
-  if (!resumes && !contents->rows.empty())
-    return std::unexpected(fmt::format(
-        "holds {} runs of a batch that was interrupted: --resume goes on with them; else remove it",
-        contents->rows.size()));
-  if (!resumes) contents->size = 0;  // it was begun and has nothing: perhaps for another batch
-  if (::ftruncate(descriptor, static_cast<off_t>(contents->size)) != 0 ||
-      ::lseek(descriptor, 0, SEEK_END) < 0 ||
-      (contents->size == 0 && !write_all(descriptor, line_of(header_json(identity)))))
+  const std::size_t runs = contents->rows.size() + parts->size();
+  if (!resumes && runs > 0) return std::unexpected(refusal(runs));
+  // It was begun and has nothing, perhaps for another batch; or others have done all that was to be done.
+  if (runs == 0 || contents->is_over || !resumes) contents->size = 0;
+  if (contents->size > 0 && resumes) {
+    // Who shares a batch says in the part of each process what was read.
+    Identity here = identity;
+    if (has_word(contents->header, "job"))
+      std::erase_if(here, [](const auto& word) { return word.first == "texts"; });
+    if (std::string what = difference(contents->header, here); !what.empty())
+      return std::unexpected(std::move(what));
+  }
+  if (!file->cut(contents->size) || (contents->size == 0 && !file->append(header_line(identity))))
     return std::unexpected(system_error("written"));
+  Opened out;
   out.rows = std::move(contents->rows);
+  std::ranges::move(*parts, std::back_inserter(out.rows));
+  out.file.reset(new ResultsFile(path, std::move(*file)));
   return out;
-}
-
-ResultsFile::~ResultsFile() {
-  ::close(descriptor_);
-}
-
-bool ResultsFile::append(const Row& row) const {
-  return write_all(descriptor_, line_of(row_json(row)));
 }
 
 }  // namespace mlab::study

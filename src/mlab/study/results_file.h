@@ -1,23 +1,39 @@
 #pragma once
 
-#include <cstdint>
 #include <expected>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "mlab/study/locked_file.h"
+#include "mlab/study/result_lines.h"
 #include "mlab/study/row.h"
 
 namespace mlab::study {
 
-/// What a batch is, in words by name: two batches are the same where all of them are equal.
-using Identity = std::vector<std::pair<std::string, std::string>>;
+inline constexpr const char* kResultsInUse = "is in use by another batch that runs now";
 
-/// The file in which a batch keeps what is done, a line for each run as it ends. Whatever ends the process,
-/// what stands there counts; a line that was not finished does not.
-class ResultsFile {
+/// Where a batch keeps what is done.
+class Keeper {
+ public:
+  Keeper() = default;
+  Keeper(const Keeper&) = delete;
+  Keeper& operator=(const Keeper&) = delete;
+  virtual ~Keeper() = default;
+
+  /// @return  false: it can't be written
+  virtual bool append(const Row& row) = 0;
+  /// What other processes have done since somebody asked last.
+  virtual std::vector<Row> news() { return {}; }
+  /// Another process says that nothing is left to do.
+  virtual bool is_over() const { return false; }
+};
+
+/// The file in which a batch of one process keeps what is done, a line for each run as it ends. Whatever ends
+/// the process, what stands there counts; a line that was not finished does not. Files beside it, of several
+/// processes that did a part of the same batch (SharedResults), count as well.
+class ResultsFile final : public Keeper {
  public:
   struct Opened;
   /// Makes the file, or goes on with one that is there.
@@ -28,24 +44,26 @@ class ResultsFile {
   /// What was kept under a name when a file was begun; nothing where there is none, or it is another file.
   static std::optional<std::string> kept_word(const std::string& path, const std::string& name);
 
-  ~ResultsFile();
-  ResultsFile(const ResultsFile&) = delete;
-  ResultsFile& operator=(const ResultsFile&) = delete;
-
-  /// @return  false: it can't be written
-  bool append(const Row& row) const;
-  const std::string& path() const { return path_; }
+  bool append(const Row& row) override { return file_.append(row_line(row)); }
+  /// Table and page were written: the file and all beside it go. What several processes began leaves a mark,
+  /// for those of them that come late.
+  void finish();
 
  private:
-  ResultsFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+  ResultsFile(std::string path, LockedFile file) : path_(std::move(path)), file_(std::move(file)) {}
 
   std::string path_;
-  int descriptor_;
+  LockedFile file_;
 };
 
 struct ResultsFile::Opened {
   std::unique_ptr<ResultsFile> file;
   std::vector<Row> rows;  ///< that it has already, in no order
 };
+
+/// Files beside that of the batch in which single processes keep their part: `out.csv.runs.rank-2`.
+std::string rank_file(const std::string& path, std::uint32_t number);
+std::vector<std::string> rank_files(const std::string& path);
+void remove_rank_files(const std::string& path);
 
 }  // namespace mlab::study

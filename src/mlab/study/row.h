@@ -20,6 +20,7 @@ enum class Number : std::uint8_t {
   kFormationError,
   kWorstFormationError,
   kOutOfFormation,
+  kPathRatio,
   kDeliveries,
   kFailsafes,
   kFaults,
@@ -31,7 +32,7 @@ struct NumberInfo {
   std::string_view help;
   bool is_compared;  ///< shown for each combination, and compared in pairs
 };
-inline constexpr std::array<NumberInfo, 10> kNumbers = {{
+inline constexpr std::array<NumberInfo, 11> kNumbers = {{
     {Number::kDuration, "duration", "s", "simulated time until the end of the run", true},
     {Number::kStepsDone, "steps_done", "", "steps of the mission that are done", false},
     {Number::kDistance, "distance", "m", "driven by all robots together", true},
@@ -43,7 +44,12 @@ inline constexpr std::array<NumberInfo, 10> kNumbers = {{
      true},
     {Number::kWorstFormationError, "formation_error_max", "m", "the largest such distance", false},
     {Number::kOutOfFormation, "out_of_formation", "",
-     "share of these robot-cycles farther away than the robot's `formation_slop`", false},
+     "share of these robot-cycles farther away than the robot's `formation_slop`", true},
+    {Number::kPathRatio, "path_ratio", "",
+     "what robots drove in formation, divided by what it would have been if their unit's centre had gone "
+     "straight "
+     "from order to order",
+     true},
     {Number::kDeliveries, "deliveries", "", "objects that were brought into baskets", false},
     {Number::kFailsafes, "failsafes", "", "how often a failsafe acted or ended", false},
     {Number::kFaults, "faults", "", "robots that stand because of a fault", false},

@@ -103,7 +103,9 @@ class StudyReader {
     }
     std::optional<Written> value = scalar(node);
     if (!value) return;
-    if (field.is_file && !value->empty()) value->text = (folder_ / value->text).lexically_normal().string();
+    const bool is_no_file = field.name == "recordings" && value->text == kNoRecordings;
+    if (field.is_file && !is_no_file && !value->empty())
+      value->text = (folder_ / value->text).lexically_normal().string();
     if (auto problem = take(definition_, field.name, *value)) sink_.report(std::move(*problem));
   }
 

@@ -130,4 +130,8 @@ std::string command_of(const RunKey& key, const Definition& definition, const Pl
   return out;
 }
 
+std::string replay_of(const std::string& recording) {
+  return "mlab replay " + text::shell_word(recording.starts_with('-') ? "./" + recording : recording);
+}
+
 }  // namespace mlab::study

@@ -28,9 +28,10 @@ struct CellSummary {
 struct FailureGroup {
   std::string cause;
   std::uint64_t count = 0;
-  RunKey first;         ///< of them, by version, combination and seed
-  std::string message;  ///< of that one
-  std::string command;  ///< that repeats it
+  RunKey first;           ///< of them, by version, combination and seed
+  std::string message;    ///< of that one
+  std::string command;    ///< that repeats it
+  std::string recording;  ///< of it, a file; empty: there is none
 };
 
 /// Whether a requirement is met, and by which combinations it is not.
@@ -70,5 +71,7 @@ Summary summary_of(const Batch& batch, const Definition& definition, const Plan&
 
 /// The command that carries a run out again, for a shell.
 std::string command_of(const RunKey& key, const Definition& definition, const Plan& plan);
+/// The command that computes a recorded run again, for a shell.
+std::string replay_of(const std::string& recording);
 
 }  // namespace mlab::study

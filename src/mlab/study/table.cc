@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ const std::string& mission_of(std::uint32_t version, const Definition& definitio
   return version == 0 ? definition.mission.text : definition.against.text;
 }
 
-std::vector<Column> columns_of(const Definition& definition, const Plan& plan) {
+std::vector<Column> columns_of(const Summary& summary, const Definition& definition, const Plan& plan) {
   using Settings = std::vector<mdl::Setting>;
   std::vector<Column> out;
   const auto add = [&](std::string name, auto value) { out.push_back({std::move(name), std::move(value)}); };
@@ -49,6 +50,14 @@ std::vector<Column> columns_of(const Definition& definition, const Plan& plan) {
       [](const Row& row, const Settings&) { return row.success ? Json(nullptr) : Json(row.message); });
   add("repeat", [&](const Row& row, const Settings&) {
     return row.success ? Json(nullptr) : Json(command_of(row.key, definition, plan));
+  });
+  std::map<RunKey, std::string> recordings;
+  for (const FailureGroup& group : summary.failures) {
+    if (!group.recording.empty()) recordings.emplace(group.first, group.recording);
+  }
+  add("recording", [recordings = std::move(recordings)](const Row& row, const Settings&) {
+    const auto found = recordings.find(row.key);
+    return found == recordings.end() ? Json(nullptr) : Json(found->second);
   });
   return out;
 }
@@ -118,7 +127,11 @@ Json summary_json(const Summary& summary, const Definition& definition) {
   for (const CellSummary& cell : summary.cells) out["combinations"].push_back(cell_json(cell, definition));
   out["failures"] = Json::array();
   for (const FailureGroup& group : summary.failures)
-    out["failures"].push_back({{"cause", group.cause}, {"runs", group.count}, {"repeat", group.command}});
+    out["failures"].push_back(
+        {{"cause", group.cause},
+         {"runs", group.count},
+         {"repeat", group.command},
+         {"recording", group.recording.empty() ? Json(nullptr) : Json(group.recording)}});
   out["requirements"] = Json::array();
   for (const Verdict& verdict : summary.verdicts) {
     Json unmet = Json::array();
@@ -136,8 +149,9 @@ Json summary_json(const Summary& summary, const Definition& definition) {
 
 }  // namespace
 
-std::string csv_of(const Batch& batch, const Definition& definition, const Plan& plan) {
-  const std::vector<Column> columns = columns_of(definition, plan);
+std::string csv_of(const Batch& batch, const Summary& summary, const Definition& definition,
+                   const Plan& plan) {
+  const std::vector<Column> columns = columns_of(summary, definition, plan);
   std::string out;
   for (std::size_t i = 0; i < columns.size(); ++i)
     out += (i > 0 ? "," : "") + text::csv_field(columns[i].name);
@@ -155,7 +169,7 @@ std::string csv_of(const Batch& batch, const Definition& definition, const Plan&
 
 std::string json_of(const Batch& batch, const Summary& summary, const Definition& definition,
                     const Plan& plan, const std::string& program_version) {
-  const std::vector<Column> columns = columns_of(definition, plan);
+  const std::vector<Column> columns = columns_of(summary, definition, plan);
   Json out;
   out["version"] = kTableFormat;
   out["mlab_version"] = program_version;

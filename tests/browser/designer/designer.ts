@@ -218,16 +218,18 @@ interface Beginning {
   /** File of the project that is opened. */
   file?: string;
   prepare?: (project: Project) => void;
+  options?: (project: Project) => string[];
   width?: number;
   height?: number;
 }
 
 export async function begin(beginning: Beginning = {}): Promise<Begun> {
-  const { mission = "", file = "", prepare, width = 1280, height = 800 } = beginning;
+  const { mission = "", file = "", prepare, options, width = 1280, height = 800 } = beginning;
   const project = new Project(mission);
   onTestFinished(() => project.remove());
   prepare?.(project);
-  const mlab = await Mlab.edit([...(file ? [project.path(file)] : []), "--project", project.folder]);
+  const more = options?.(project) ?? [];
+  const mlab = await Mlab.edit([...(file ? [project.path(file)] : []), "--project", project.folder, ...more]);
   onTestFinished(async () => {
     await mlab.stop();
   });

@@ -1,12 +1,13 @@
 // Why something can't be done now.
 import { Status_Mode } from "../../core/protocol.ts";
 import type { Hindrance } from "../../ui/commands/declared.ts";
+import { elsewhen } from "../session/elsewhen.ts";
 import type { Session } from "../session/session.ts";
 
 type Why = Hindrance<Session>;
 
 export const onlyWatching: Why = ({ model }) =>
-  model.isOperator() ? undefined : "Only the operator can do this: take control first.";
+  elsewhen(model) ?? (model.isOperator() ? undefined : "Only the operator can do this: take control first.");
 
 export const noMission: Why = ({ model }) =>
   (model.get("status")?.mode ?? Status_Mode.NO_MISSION) === Status_Mode.NO_MISSION

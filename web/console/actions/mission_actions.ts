@@ -1,4 +1,6 @@
 // What is done with the mission's texts: opened, saved, changed back.
+import type { Hindrance } from "../../ui/commands/declared.ts";
+import { elsewhen } from "../session/elsewhen.ts";
 import { nameOf, nextRedo, nextUndo } from "../session/history.ts";
 import { redo, save, undo } from "../session/orders.ts";
 import type { ActionTable } from "../session/registry.ts";
@@ -44,6 +46,12 @@ export const kMissionTable: ActionTable = {
   ],
 };
 
+/** Edits of how the map looks are undone at any moment, those of the mission are not. */
+function missionIsElsewhen(next: typeof nextUndo): Hindrance<Session> {
+  return ({ model, ui }) =>
+    next(ui.get("history"), ui.missionEdits())?.kind === "mission" ? elsewhen(model) : undefined;
+}
+
 /** What would be taken back; empty: nothing. */
 function undoName({ ui }: Session): string {
   return nameOf(nextUndo(ui.get("history"), ui.missionEdits()));
@@ -61,7 +69,7 @@ export const kEditTable: ActionTable = {
       label: (session) => `Undo ${undoName(session)}`.trim(),
       icon: "undo",
       shortcut: "ctrl+z",
-      unless: [(session) => (undoName(session) ? undefined : "There is nothing to undo.")],
+      unless: [(session) => (undoName(session) ? undefined : "There is nothing to undo."), missionIsElsewhen(nextUndo)],
       run: (session) => undo(session),
     },
     {
@@ -69,7 +77,7 @@ export const kEditTable: ActionTable = {
       label: (session) => `Redo ${redoName(session)}`.trim(),
       icon: "redo",
       shortcut: "ctrl+shift+z",
-      unless: [(session) => (redoName(session) ? undefined : "There is nothing to redo.")],
+      unless: [(session) => (redoName(session) ? undefined : "There is nothing to redo."), missionIsElsewhen(nextRedo)],
       run: (session) => redo(session),
     },
   ],

@@ -1,6 +1,8 @@
+import { create } from "@bufbuild/protobuf";
 import { beforeEach, expect, test, vi } from "vitest";
 import type { Connection } from "../../core/connection.ts";
 import { Model } from "../../core/model.ts";
+import { MomentSchema } from "../../core/protocol.ts";
 import type { Action } from "../session/registry.ts";
 import type { Session } from "../session/session.ts";
 import { Ui } from "../session/ui.ts";
@@ -43,6 +45,14 @@ test("the operator is told what is missing", () => {
   expect(action("take-control").blocked).toBe("You are the operator.");
   expect(action("fit").blocked).toBe("The map is not shown.");
   expect(action("undo")).toMatchObject({ label: "Undo", blocked: "There is nothing to undo." });
+});
+
+test("at another moment nothing is ordered, also by the operator, who is told why", () => {
+  vi.spyOn(session.model, "isOperator").mockReturnValue(true);
+  session.model.set("moment", create(MomentSchema, { time: 3 }));
+  for (const id of ["step", "skip", "restart", "open", "save", "proceed", "tool-command", "remove-things", "rename"])
+    expect(action(id).blocked, id).toBe("You are looking at another moment: go back to now first.");
+  expect(action("stop").blocked).toBeUndefined();
 });
 
 test("a layer is hidden, which is undone by its name, and shown again", () => {

@@ -4,6 +4,7 @@ import { actionsOf } from "../../ui/commands/declared.ts";
 import { actionSources } from "../extensions/extensions.ts";
 import type { Action, ActionTable } from "../session/registry.ts";
 import type { Session } from "../session/session.ts";
+import { kTimeTable } from "../time/time_actions.ts";
 import { kMapTable, kToolTable } from "./map_actions.ts";
 import { kEditTable, kMissionTable } from "./mission_actions.ts";
 import { kPeopleTable, requestTable } from "./people_actions.ts";
@@ -15,6 +16,7 @@ export function allActions(session: Session): Action[] {
   const tables: readonly ActionTable[] = [
     kRunTable,
     answerTable(session),
+    kTimeTable,
     kMissionTable,
     kEditTable,
     kMapTable,

@@ -3,13 +3,13 @@ import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 import type { Completions_Item } from "../../core/protocol.ts";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
-import { useIsOperator, usePart } from "../session/session.ts";
+import { usePart, useWhyNoOrder } from "../session/session.ts";
 import { DiagnosticsView, TargetsView } from "./targets_view.tsx";
 import { type Suggestions, type TypedLine, useTypedLine, type Verdict } from "./use_typed_line.ts";
 import "./command.css";
 
 export function CommandLine() {
-  const isOperator = useIsOperator();
+  const why = useWhyNoOrder("send them");
   const isConnected = usePart("link").state === "open";
   const input = useRef<HTMLInputElement>(null);
   const typed = useTypedLine(input);
@@ -34,9 +34,9 @@ export function CommandLine() {
         placeholder={
           !isConnected
             ? "No connection"
-            : isOperator
+            : why === undefined
               ? "Type a command: UNIT scouts MOVETO 310 205"
-              : "Commands are checked here; only the operator can send them"
+              : `Commands are checked here. ${why}`
         }
         value={line}
         onChange={({ target }) => typed.type(target.value, target.selectionStart ?? target.value.length)}

@@ -29,7 +29,7 @@ import type { Reply } from "../../core/protocol.ts";
 import { Button, Segments } from "../../ui/controls/controls.tsx";
 import { NumberEntry } from "../../ui/controls/number_entry.tsx";
 import { SelectEntry } from "../../ui/controls/select_entry.tsx";
-import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
+import { useMayOrder, usePart, useSession, useUi } from "../session/session.ts";
 import { addressedUnits } from "./addressed.ts";
 import { placeMeasures } from "./command_tool.ts";
 import "./order_window.css";
@@ -72,7 +72,7 @@ function useAddressed() {
 
 function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const scene = usePart("scene");
   const order = useStore(orderStore);
   const addressed = useAddressed();
@@ -99,7 +99,7 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
   const isWrong = preview !== null && !preview.ok;
 
   const send = async () => {
-    if (text === "" || !isOperator) return;
+    if (text === "" || !mayOrder) return;
     const reply = await session.connection.ask({ case: "typed", value: { line: text, preview: false } });
     if (reply.ok) dropGoal();
     else setRefusal(reply.error || reply.diagnostics[0]?.message || "the server refused it");
@@ -125,7 +125,7 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
           Edit as text
         </Button>
         <Button onPress={dropGoal}>Cancel</Button>
-        <Button tone="primary" isDisabled={text === "" || isWrong || !isOperator} onPress={send}>
+        <Button tone="primary" isDisabled={text === "" || isWrong || !mayOrder} onPress={send}>
           Send
         </Button>
       </footer>

@@ -2,6 +2,7 @@
 import type { Documents_Document } from "../../core/protocol.ts";
 import { LiveEditor, type Mark } from "../../ui/text/live_editor.ts";
 import type { OutgoingEdit } from "../../ui/text/sync.ts";
+import { elsewhen } from "../session/elsewhen.ts";
 import type { Session } from "../session/session.ts";
 
 export class LiveDocument extends LiveEditor<Documents_Document> {
@@ -26,8 +27,9 @@ export class LiveDocument extends LiveEditor<Documents_Document> {
       case: "editText",
       value: { document: this.server.path, name, ...edit },
     });
-    if (reply.ok || this.session.model.isOperator()) return reply.ok;
-    this.session.ui.tell("Only the operator can edit. What you typed is not part of the mission.");
+    if (reply.ok || this.session.model.mayOrder()) return reply.ok;
+    const why = elsewhen(this.session.model) ?? "Only the operator can edit.";
+    this.session.ui.tell(`${why} What you typed is not part of the mission.`);
     return undefined;
   }
 }

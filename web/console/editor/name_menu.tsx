@@ -3,12 +3,12 @@ import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { MenuButton } from "../../ui/controls/menus.tsx";
-import { useIsOperator, useSession } from "../session/session.ts";
+import { useMayOrder, useSession } from "../session/session.ts";
 import { nameActions } from "./names.ts";
 
 export function NameMenu() {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   return (
     <MenuButton
       label="The name at the cursor"
@@ -24,7 +24,7 @@ export function NameMenu() {
             label,
             ...(icon ? { icon } : {}),
             shortcut: shownShortcut(shortcut ?? ""),
-            isDisabled: id === "rename" && !isOperator,
+            isDisabled: id === "rename" && !mayOrder,
             run,
           })),
         },

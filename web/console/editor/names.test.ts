@@ -36,7 +36,12 @@ function sessionOf(answer: (order: Order) => Result | Promise<Result>, isOperato
   };
   const session = {
     ui,
-    model: { get: (name: keyof typeof parts) => parts[name], isOperator: () => isOperator },
+    model: {
+      get: (name: keyof typeof parts) => parts[name],
+      mayOrder: () => isOperator,
+      isRecording: () => false,
+      isElsewhen: () => false,
+    },
     connection: {
       ask: async (order: Order) => {
         asked.push(order);

@@ -4,6 +4,7 @@ import type { At } from "../../core/names.ts";
 import type { Reply } from "../../core/protocol.ts";
 import { placesIn, type RenamingPlan, renamedText, type TextPlace } from "../../ui/names/renaming.ts";
 import { sentence, withoutBackticks } from "../../ui/words/sentence.ts";
+import { elsewhen } from "../session/elsewhen.ts";
 import { undo } from "../session/orders.ts";
 import type { Action } from "../session/registry.ts";
 import type { Session } from "../session/session.ts";
@@ -72,7 +73,7 @@ export async function showUses(session: Session, text: TextCursor): Promise<void
 
 /** Asks for another name, where it can have one. */
 export async function askForName(session: Session, text: TextCursor): Promise<void> {
-  if (!session.model.isOperator()) return refuse(session, kWatching);
+  if (!session.model.mayOrder()) return refuse(session, elsewhen(session.model) ?? kWatching);
   const found = await asked(session, text);
   if (!found) return;
   const { word, ...at } = found;
@@ -178,7 +179,7 @@ export function nameActions(session: Session): readonly Action[] {
       group: "Edit",
       icon: "draw",
       shortcut: "f2",
-      blocked: session.model.isOperator() ? blocked : kWatching,
+      blocked: session.model.mayOrder() ? blocked : (elsewhen(session.model) ?? kWatching),
       run: run(askForName),
     },
   ];

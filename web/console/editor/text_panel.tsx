@@ -12,7 +12,7 @@ import { kFromServer } from "../../ui/text/live_editor.ts";
 import { count } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { order, save } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
+import { useMayOrder, usePart, useSession, useUi } from "../session/session.ts";
 import { type LiveDocument, liveDocuments } from "./live_document.ts";
 import { LookedText, LookedTools } from "./looked_text.tsx";
 import { NameMenu } from "./name_menu.tsx";
@@ -80,7 +80,7 @@ function ErrorCount({ document }: { document: Documents_Document }) {
 
 function Tools({ document, line }: { document: Documents_Document; line: number }) {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const plan = usePart("plan");
   const edits = usePart("edits");
   const step = stepAtLine(plan, document.path, line);
@@ -88,17 +88,17 @@ function Tools({ document, line }: { document: Documents_Document; line: number 
   return (
     <div className="columns" style={{ flexWrap: "nowrap" }}>
       {step !== undefined && (
-        <Button icon="play" isDisabled={!isOperator} onPress={() => void continueFrom(session, step)}>
+        <Button icon="play" isDisabled={!mayOrder} onPress={() => void continueFrom(session, step)}>
           Continue from step {label}
         </Button>
       )}
       {document.isReadOnly && <span className="pill">Example: saved as a copy</span>}
       <NameMenu />
-      <Button icon="save" isDisabled={!isOperator || !edits?.isDirty} onPress={() => save(session)}>
+      <Button icon="save" isDisabled={!mayOrder || !edits?.isDirty} onPress={() => save(session)}>
         Save
       </Button>
       <Button
-        isDisabled={!isOperator}
+        isDisabled={!mayOrder}
         onPress={() => {
           session.ui.set("document", document.path);
           session.ui.set("dialog", "save-as");
@@ -137,7 +137,7 @@ function Problems({ document }: { document: Documents_Document }) {
 
 function Editor({ document, onLine }: { document: Documents_Document; onLine: (line: number) => void }) {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const reveal = useUi("reveal");
   const host = useRef<HTMLDivElement>(null);
   const view = useRef<EditorView | null>(null);
@@ -151,7 +151,7 @@ function Editor({ document, onLine }: { document: Documents_Document; onLine: (l
         extensions: [
           ...editorParts(session, document.language),
           nameParts(session, document.path, () => live.flush()),
-          readOnly.current.of(EditorState.readOnly.of(!isOperator)),
+          readOnly.current.of(EditorState.readOnly.of(!mayOrder)),
           EditorView.contentAttributes.of({ "aria-label": `Text of ${document.path}`, tabindex: "0" }),
           EditorView.updateListener.of((update) => {
             const isOwn = !update.transactions.some((transaction) => transaction.annotation(kFromServer));
@@ -178,8 +178,8 @@ function Editor({ document, onLine }: { document: Documents_Document; onLine: (l
     };
   }, [live, session]);
   useEffect(() => {
-    view.current?.dispatch({ effects: readOnly.current.reconfigure(EditorState.readOnly.of(!isOperator)) });
-  }, [isOperator]);
+    view.current?.dispatch({ effects: readOnly.current.reconfigure(EditorState.readOnly.of(!mayOrder)) });
+  }, [mayOrder]);
   useEffect(() => {
     if (view.current) mark(view.current, live);
   }, [document, live]);

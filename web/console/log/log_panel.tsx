@@ -1,11 +1,12 @@
 // Everything that happened. Only the rows in sight are in the page.
-import { useEffect, useMemo, useRef, useState } from "react";
+import { type RefObject, useEffect, useMemo, useRef, useState } from "react";
 import { type Log_Entry, Log_Kind } from "../../core/protocol.ts";
 import { Button, Search, Switch } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { count, duration, readableMessage } from "../../ui/words/format.ts";
-import { usePart, useSession } from "../session/session.ts";
+import { useIsElsewhen, usePart, useSession } from "../session/session.ts";
+import { useHasPast, useTravel, useWhereabouts } from "../time/use_travel.ts";
 import { filterLog, kEverything, kKinds, kKindWords, type LogFilter, windowOf } from "./filter.ts";
 import { hasPlace, showPlace } from "./show_place.ts";
 import "./log.css";
@@ -87,6 +88,7 @@ function KindFilter({ filter, onChange }: { filter: LogFilter; onChange: (filter
 
 function Rows({ entries }: { entries: readonly Log_Entry[] }) {
   const box = useRef<HTMLDivElement>(null);
+  useShownMoment(box, entries);
   const [scroll, setScroll] = useState({ top: 0, height: 400 });
   const isAtEnd = useRef(true);
   useEffect(() => {
@@ -133,12 +135,13 @@ function Rows({ entries }: { entries: readonly Log_Entry[] }) {
 function Row({ entry, top }: { entry: Log_Entry; top: number }) {
   const session = useSession();
   const { model } = session;
+  const isLater = useIsElsewhen() && entry.time > model.time + 1e-6;
   const tone =
     entry.isAlert || entry.kind === Log_Kind.CONTACT ? "danger" : entry.kind === Log_Kind.WARNING ? "hold" : "";
   const who = entry.robot ? model.get("roster").nameOf(entry.robot) : entry.unit;
   return (
-    <div className={`log-row ${tone}`} style={{ top }}>
-      <span className="number muted">{duration(entry.time, true)}</span>
+    <div className={`log-row ${tone} ${isLater ? "later" : ""}`} style={{ top }}>
+      <EntryTime entry={entry} />
       <span className="log-kind">{kKindWords[entry.kind]}</span>
       <span className="log-who ellipsis">{who}</span>
       {hasPlace(entry) ? (
@@ -158,4 +161,37 @@ function Row({ entry, top }: { entry: Log_Entry; top: number }) {
       )}
     </div>
   );
+}
+
+/** Leads to the moment, where it can be looked at: entries of an earlier run can't. */
+function EntryTime({ entry }: { entry: Log_Entry }) {
+  const travel = useTravel();
+  const hasPast = useHasPast();
+  const isOfThisRun = entry.number > usePart("alertsAfter");
+  const text = duration(entry.time, true);
+  if (!hasPast || !isOfThisRun) return <span className="number muted">{text}</span>;
+  return (
+    <Button
+      tone="link"
+      className="number"
+      aria-label={`${text}: look at this moment`}
+      onPress={() => travel.go(entry.time)}
+    >
+      {text}
+    </Button>
+  );
+}
+
+/** At another moment, what was told last then is in sight. */
+function useShownMoment(box: RefObject<HTMLDivElement | null>, entries: readonly Log_Entry[]): void {
+  const isElsewhen = useIsElsewhen();
+  const { time } = useWhereabouts();
+  const last = isElsewhen ? entries.findLastIndex((entry) => entry.time <= time + 1e-6) : -1;
+  useEffect(() => {
+    const element = box.current;
+    if (!element || last < 0) return;
+    const top = last * kRow;
+    if (top >= element.scrollTop && top + kRow <= element.scrollTop + element.clientHeight) return;
+    element.scrollTop = Math.max(0, top + kRow - element.clientHeight);
+  }, [box, last]);
 }

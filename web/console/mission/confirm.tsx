@@ -2,7 +2,7 @@
 import { Control_Action } from "../../core/protocol.ts";
 import { Confirm } from "../../ui/controls/confirm.tsx";
 import { control } from "../session/orders.ts";
-import { useIsOperator, useSession, useUi } from "../session/session.ts";
+import { useMayOrder, useSession, useUi } from "../session/session.ts";
 
 const kTexts = {
   abort: {
@@ -22,7 +22,7 @@ const kTexts = {
 export function ConfirmDialog() {
   const session = useSession();
   const name = useUi("dialog");
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   if (name !== "abort" && name !== "restart") return null;
   const { title, text, action, word } = kTexts[name];
   return (
@@ -31,7 +31,7 @@ export function ConfirmDialog() {
       width={420}
       no="Go on as it is"
       yes={word}
-      isDisabled={!isOperator}
+      isDisabled={!mayOrder}
       onYes={() => control(session, action)}
       onClose={() => session.ui.set("dialog", "")}
     >

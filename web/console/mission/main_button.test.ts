@@ -8,6 +8,7 @@ function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): Retu
   return mainButton({
     status: create(StatusSchema, { mode, ...status }),
     isOperator: true,
+    isElsewhen: false,
     isConnected: true,
     openQuestions: 0,
     errors: 0,
@@ -87,4 +88,9 @@ describe("the main button", () => {
   it("does nothing without a connection", () => {
     expect(at(Status_Mode.RUNNING, { isConnected: false }).does).toEqual({ kind: "nothing" });
   });
+});
+
+it("leads back to now from another moment, whoever looks there", () => {
+  expect(at(Status_Mode.RUNNING, { isElsewhen: true })).toMatchObject({ label: "Back to now", does: { kind: "now" } });
+  expect(at(Status_Mode.ENDED, { isElsewhen: true, isOperator: false }).does).toEqual({ kind: "now" });
 });

@@ -12,10 +12,11 @@ export interface MainButton {
     | { kind: "control"; action: Control_Action }
     | { kind: "answer" } // goes to the oldest question
     | { kind: "take-operator" }
+    | { kind: "now" } // back from another moment
     | { kind: "show-errors" }
     | { kind: "nothing" };
   tone: "go" | "hold" | "danger" | "quiet";
-  icon: "play" | "pause" | "question" | "restart" | "hand" | "warning" | "release";
+  icon: "play" | "pause" | "question" | "restart" | "hand" | "warning" | "release" | "right";
 }
 
 export interface Situation {
@@ -23,6 +24,8 @@ export interface Situation {
   isOperator: boolean;
   /** There is one, this browser or another. */
   hasOperator: boolean;
+  /** Another moment than now is shown. */
+  isElsewhen: boolean;
   isConnected: boolean;
   openQuestions: number;
   errors: number;
@@ -42,6 +45,15 @@ export function mainButton(situation: Situation): MainButton {
       does: nothing,
       tone: "quiet",
       icon: "play",
+    };
+  }
+  if (situation.isElsewhen) {
+    return {
+      label: "Back to now",
+      hint: "You are looking at another moment: nothing is ordered there.",
+      does: { kind: "now" },
+      tone: "hold",
+      icon: "right",
     };
   }
   if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation);

@@ -1,5 +1,5 @@
 // The mission's steps, what runs now, and, until the first of them starts, the one large button.
-import { useEffect, useRef } from "react";
+import { memo, useEffect, useRef } from "react";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Bar, Button, Hint } from "../../ui/controls/controls.tsx";
@@ -7,12 +7,13 @@ import { Icon, type IconName } from "../../ui/controls/icons.tsx";
 import { MenuButton, type MenuEntry } from "../../ui/controls/menus.tsx";
 import { distance, duration, readableMessage } from "../../ui/words/format.ts";
 import { askFirst, control } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { useMayOrder, usePart, useSession } from "../session/session.ts";
 import { skipWords, stepWords } from "./main_button.ts";
 import { StartButton } from "./run_button.tsx";
 import { situationOf } from "./situation.ts";
 import {
   type CommandRow,
+  isSameRow,
   kStateWords,
   kStepOfOrder,
   missionProgress,
@@ -38,10 +39,10 @@ function MainControls() {
   const session = useSession();
   const { model } = session;
   usePart("status");
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const status = model.get("status");
   const mode = status?.mode ?? Status_Mode.NO_MISSION;
-  const isBlocked = !isOperator || mode === Status_Mode.NO_MISSION;
+  const isBlocked = !mayOrder || mode === Status_Mode.NO_MISSION;
   const stands = isBlocked || mode === Status_Mode.STOPPED;
   const run = (action: Control_Action) => () => control(session, action);
   return (
@@ -148,6 +149,8 @@ function Steps() {
   const done = planned.filter((row) => row.state === "done").length;
   const list = useRef<HTMLOListElement>(null);
   const current = rows.findIndex((row) => row.state === "running" || row.state === "next");
+  const mayOrder = useMayOrder();
+  const hasEnded = status?.mode === Status_Mode.ENDED;
   // In sight also when the panel becomes lower.
   useEffect(() => {
     const show = () => list.current?.children[current]?.scrollIntoView?.({ block: "nearest" });
@@ -181,14 +184,26 @@ function Steps() {
       <Bar share={missionProgress(rows)} />
       <ol ref={list}>
         {rows.map((row) => (
-          <Step key={row.key} row={row} />
+          <Step key={row.key} row={row} mayOrder={mayOrder} hasEnded={hasEnded} />
         ))}
       </ol>
     </section>
   );
 }
 
-function Step({ row }: { row: StepRow }) {
+interface StepProps {
+  row: StepRow;
+  mayOrder: boolean;
+  hasEnded: boolean;
+}
+
+const Step = memo(
+  DrawnStep,
+  (a, b) => a.mayOrder === b.mayOrder && a.hasEnded === b.hasEnded && isSameRow(a.row, b.row),
+);
+
+function DrawnStep(props: StepProps) {
+  const { row } = props;
   return (
     <li
       className={`step ${row.state}`}
@@ -208,7 +223,7 @@ function Step({ row }: { row: StepRow }) {
         ))}
         <StepFoot row={row} />
       </div>
-      <StepMenu row={row} />
+      <StepMenu {...props} />
     </li>
   );
 }
@@ -282,11 +297,8 @@ function StepFoot({ row }: { row: StepRow }) {
   );
 }
 
-function StepMenu({ row }: { row: StepRow }) {
+function StepMenu({ row, mayOrder, hasEnded }: StepProps) {
   const session = useSession();
-  const isOperator = useIsOperator();
-  const status = usePart("status");
-  const hasEnded = status?.mode === Status_Mode.ENDED;
   const isPlanned = row.step !== kStepOfOrder;
   const entries: MenuEntry[] = [];
   if (isPlanned) {
@@ -295,7 +307,7 @@ function StepMenu({ row }: { row: StepRow }) {
       label: row.state === "running" ? "Begin this step anew" : "Jump to this step",
       icon: "right",
       detail: hasEnded ? "The mission has ended: restart it first" : "Steps between are left out",
-      isDisabled: !isOperator || hasEnded,
+      isDisabled: !mayOrder || hasEnded,
       run: () => control(session, Control_Action.JUMP, row.step),
     });
   }

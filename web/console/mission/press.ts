@@ -1,5 +1,5 @@
 // What the main button does when it is pressed.
-import { control, takeOperator } from "../session/orders.ts";
+import { backToNow, control, takeOperator } from "../session/orders.ts";
 import type { Session } from "../session/session.ts";
 import { mainButton } from "./main_button.ts";
 import { situationOf } from "./situation.ts";
@@ -15,6 +15,9 @@ export function pressMainButton(session: Session): void {
       return;
     case "take-operator":
       takeOperator(session);
+      return;
+    case "now":
+      backToNow(session);
       return;
     case "show-errors":
       showErrors(session);

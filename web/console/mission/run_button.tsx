@@ -4,7 +4,7 @@ import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { control } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { useMayOrder, usePart, useSession } from "../session/session.ts";
 import { type MainButton, mainButton, stepWords } from "./main_button.ts";
 import { pressMainButton } from "./press.ts";
 import { situationOf } from "./situation.ts";
@@ -34,14 +34,14 @@ export function RunButton() {
 export function StepButton() {
   const session = useSession();
   const status = usePart("status");
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const mode = status?.mode ?? Status_Mode.NO_MISSION;
   return (
     <IconButton
       icon="step"
       label={`Step: ${stepWords(status)}`}
       shortcut={shownShortcut("n")}
-      isDisabled={!isOperator || mode === Status_Mode.NO_MISSION || mode === Status_Mode.STOPPED}
+      isDisabled={!mayOrder || mode === Status_Mode.NO_MISSION || mode === Status_Mode.STOPPED}
       onPress={() => control(session, Control_Action.SINGLE_STEP)}
     />
   );
@@ -52,7 +52,7 @@ export function StartButton() {
   const session = useSession();
   const button = useMainButton();
   const mode = session.model.get("status")?.mode ?? Status_Mode.NO_MISSION;
-  if (mode !== Status_Mode.READY && mode !== Status_Mode.NO_MISSION) return null;
+  if (session.model.isRecording() || (mode !== Status_Mode.READY && mode !== Status_Mode.NO_MISSION)) return null;
   return (
     <>
       <Button
@@ -73,6 +73,17 @@ export function StartButton() {
 
 function useMainButton(): MainButton {
   const { model } = useSession();
-  for (const part of ["status", "clients", "welcome", "link", "questions", "documents", "plan"] as const) usePart(part);
+  for (const part of [
+    "status",
+    "clients",
+    "welcome",
+    "link",
+    "questions",
+    "documents",
+    "plan",
+    "moment",
+    "timeLine",
+  ] as const)
+    usePart(part);
   return mainButton(situationOf(model));
 }

@@ -10,6 +10,7 @@ export function situationOf(model: Model): Situation {
   return {
     status,
     isOperator: model.isOperator(),
+    isElsewhen: model.isElsewhen(),
     hasOperator: clients?.clients.some((client) => client.id === clients.operator) ?? false,
     isConnected: model.get("link").state === "open",
     openQuestions: model.get("questions").length,

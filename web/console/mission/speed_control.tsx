@@ -6,7 +6,7 @@ import { Icon } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { quantity, speedFactor } from "../../ui/words/format.ts";
 import { setSpeed } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { usePart, useSession, useWhyNoOrder } from "../session/session.ts";
 import { kPresets, kSliderEnd, sliderOf, speedOf } from "./speed.ts";
 
 /** How fast simulated time passes: as set, and as reached. */
@@ -71,7 +71,8 @@ function Punctuality({ of }: { of: Status_RealTime }) {
 function SpeedChoice() {
   const session = useSession();
   const status = usePart("status");
-  const isOperator = useIsOperator();
+  const why = useWhyNoOrder("change it");
+  const mayOrder = why === undefined;
   const speed = status?.speed ?? 1;
   const [dragged, setDragged] = useState<number | null>(null);
   const slider = dragged ?? sliderOf(speed);
@@ -88,7 +89,7 @@ function SpeedChoice() {
         min={0}
         max={kSliderEnd}
         step={1}
-        isDisabled={!isOperator}
+        isDisabled={!mayOrder}
         onChange={setDragged}
         onCommit={(value) => set(speedOf(value))}
       />
@@ -98,7 +99,7 @@ function SpeedChoice() {
             key={preset}
             className="preset"
             tone={preset === speed ? "primary" : "plain"}
-            isDisabled={!isOperator}
+            isDisabled={!mayOrder}
             onPress={() => set(preset)}
           >
             {preset === 0 ? "Max" : `×${preset}`}
@@ -110,7 +111,7 @@ function SpeedChoice() {
           ? `Reached over the last second: ×${quantity(status.speedReached, 3)}.`
           : "Time stands still."}
         {status && status.behind > 1 ? ` The simulation is ${quantity(status.behind, 2)} s late.` : ""}
-        {isOperator ? "" : " Only the operator can change it."}
+        {why ? ` ${why}` : ""}
       </p>
     </div>
   );

@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { PlanSchema, Status_Mode, Status_Outcome, StatusSchema } from "../../core/protocol.ts";
-import { kStepOfOrder, missionProgress, runningNow, splitCommand, stepRows } from "./steps.ts";
+import { isSameRow, kStepOfOrder, missionProgress, runningNow, splitCommand, stepRows } from "./steps.ts";
 
 const plan = create(PlanSchema, {
   steps: ["0", "1", "2"].map((label, i) => ({
@@ -40,6 +40,16 @@ describe("the steps", () => {
     expect(rows[0]?.progress).toBe(1);
     expect(rows[1]).toMatchObject({ progress: 0.5, arrival: 30, end: -1 });
     expect(missionProgress(rows)).toBeCloseTo(0.5);
+  });
+  it("read alike until something that is shown of one is another", () => {
+    const at = (progress: number) =>
+      stepRows(
+        plan,
+        create(StatusSchema, { mode: Status_Mode.RUNNING, steps: [run(0, Status_Outcome.UNDER_WAY, { progress })] }),
+      );
+    expect(isSameRow(at(0.5)[0]!, at(0.5)[0]!)).toBe(true);
+    expect(isSameRow(at(0.5)[0]!, at(0.6)[0]!)).toBe(false);
+    expect(isSameRow(at(0.5)[1]!, at(0.6)[1]!)).toBe(true);
   });
   it("show the latest run of a step that was jumped back to", () => {
     const status = create(StatusSchema, {

@@ -31,6 +31,11 @@ export interface StepRow {
   line: number; // from 1; 0: nowhere
 }
 
+/** Whether both read alike: a long list is drawn anew only where it differs, many times a second while time is scrubbed. */
+export function isSameRow(a: StepRow, b: StepRow): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}
+
 const kStates: Record<Status_Outcome, StepState> = {
   [Status_Outcome.PENDING]: "planned",
   [Status_Outcome.UNDER_WAY]: "running",

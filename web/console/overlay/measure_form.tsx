@@ -6,7 +6,7 @@ import type { Measure } from "../../core/protocol.ts";
 import { Button, Field, Switch } from "../../ui/controls/controls.tsx";
 import { NumberEntry } from "../../ui/controls/number_entry.tsx";
 import { editMap, removeItems } from "../map_editing/edit_map.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { useMayOrder, usePart, useSession } from "../session/session.ts";
 import { drawingStore } from "./drawing_store.ts";
 import { KindIcon } from "./kind_icon.tsx";
 import { nameProblem } from "./names.ts";
@@ -35,7 +35,7 @@ interface FormProps {
 
 function Form({ index, measure, document, line }: FormProps) {
   const session = useSession();
-  const isLocked = !useIsOperator() || document === "";
+  const isLocked = !useMayOrder() || document === "";
   const info = kindInfo(measure.kind);
   const replace = (name: string, changed: EditedMeasure) =>
     void editMap(session, name, [replaceMeasure(index, changed)]);

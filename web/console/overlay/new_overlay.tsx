@@ -3,11 +3,11 @@ import { useState } from "react";
 import { NewDocument_Kind } from "../../core/protocol.ts";
 import { Button, Field } from "../../ui/controls/controls.tsx";
 import { order } from "../map_editing/edit_map.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { useMayOrder, usePart, useSession } from "../session/session.ts";
 
 export function NewOverlay() {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const hasMission = (usePart("project")?.mission ?? "") !== "";
   const [path, setPath] = useState(hasMission ? "map.odl" : "mission.mdl");
   const create = () => {
@@ -25,10 +25,10 @@ export function NewOverlay() {
         label={hasMission ? "Overlay file" : "Mission file"}
         value={path}
         onChange={setPath}
-        isDisabled={!isOperator}
+        isDisabled={!mayOrder}
       />
       <div>
-        <Button tone="primary" isDisabled={!isOperator || path.trim() === ""} onPress={create}>
+        <Button tone="primary" isDisabled={!mayOrder || path.trim() === ""} onPress={create}>
           Create
         </Button>
       </div>

@@ -9,7 +9,7 @@ import { SelectEntry } from "../../ui/controls/select_entry.tsx";
 import { editMap } from "../map_editing/edit_map.ts";
 import { changeEditing, editStore } from "../map_editing/edit_store.ts";
 import { type ListedThing, ThingList } from "../map_editing/thing_list.tsx";
-import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
+import { useMayOrder, usePart, useSession, useUi } from "../session/session.ts";
 import { type Draft, emptyDraft, guidance, missingInDraft } from "./draft.ts";
 import { drawingStore } from "./drawing_store.ts";
 import { KindIcon } from "./kind_icon.tsx";
@@ -44,7 +44,7 @@ const kGroups: readonly KindInfo["group"][] = ["Places", "Lines", "Buildings"];
 
 function Palette() {
   const { ui } = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const tool = useUi("tool");
   const { kind } = useStore(editStore);
   const { draft } = useStore(drawingStore);
@@ -68,7 +68,7 @@ function Palette() {
                     className="overlay-kind"
                     aria-pressed={active === k.kind}
                     tone={active === k.kind ? "primary" : "plain"}
-                    isDisabled={!isOperator}
+                    isDisabled={!mayOrder}
                     onPress={() => take(k.kind)}
                   >
                     <KindIcon kind={k.kind} />
@@ -151,7 +151,7 @@ function Measures() {
 
 function Area({ overlays }: { overlays: readonly Documents_Document[] }) {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const scene = usePart("scene");
   const { grid, document } = useStore(editStore);
   const present = overlays.some((d) => d.path === document);
@@ -174,14 +174,14 @@ function Area({ overlays }: { overlays: readonly Documents_Document[] }) {
           label="Width, west to east [m]"
           value={scene.width}
           min={0.1}
-          isDisabled={!isOperator}
+          isDisabled={!mayOrder}
           onCommit={(width) => setArea(width, scene.height)}
         />
         <NumberEntry
           label="Height, south to north [m]"
           value={scene.height}
           min={0.1}
-          isDisabled={!isOperator}
+          isDisabled={!mayOrder}
           onCommit={(height) => setArea(scene.width, height)}
         />
       </div>

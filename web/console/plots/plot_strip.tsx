@@ -16,10 +16,14 @@ interface Props {
   /** Grows whenever there is something new to draw. */
   revision: number;
   colors: readonly string[];
-  look: { text: string; grid: string; font: string };
+  look: { text: string; grid: string; past: string; font: string };
   /** Run time under the cursor of any strip; null: none. */
   cursor: number | null;
+  /** That is shown, where it is not now [s]. */
+  moment: number | null;
   onCursor: (time: number | null) => void;
+  /** To another moment. */
+  onGo: (time: number) => void;
   onZoom: (from: number, to: number) => void;
   onReset: () => void;
   onRemove: (spec: SeriesSpec) => void;
@@ -89,11 +93,15 @@ function usePlot(host: RefObject<HTMLDivElement | null>, props: Props): void {
   useEffect(() => {
     if (plot.current) draw(plot.current, latest.current);
   }, [revision, span.from, span.to, lines]);
+
+  useEffect(() => {
+    plot.current?.redraw(false);
+  }, [props.moment]);
 }
 
 /** What each line is, with its value under the pointer; else the newest. */
-function Legend({ strip, recorder, span, cursor, colors, onRemove }: Props) {
-  const time = cursor ?? span.to;
+function Legend({ strip, recorder, span, cursor, moment, colors, onRemove }: Props) {
+  const time = cursor ?? moment ?? span.to;
   return (
     <ul className="plot-legend">
       {strip.lines.map((line) => {
@@ -184,15 +192,50 @@ function optionsOf(latest: { current: Props }, width: number): uPlot.Options {
       points: { size: 6 },
       drag: { x: true, y: false, setScale: false, dist: 5 },
       sync: { key: "mlab.plots", setSeries: false },
-      bind: {
-        dblclick: () => () => {
-          latest.current.onReset();
-          return null;
-        },
-      },
+      bind: bindingsOf(latest),
     },
     hooks: hooksOf(latest),
   };
+}
+
+const kDoubleClick = 260; // ms in which a click becomes two
+
+/** A click goes to its moment, a double click back to all; dragging chooses a span, which hooks tell. */
+function bindingsOf(latest: { current: Props }): uPlot.Cursor.Bind {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let pressed = 0;
+  return {
+    mousedown: (_, __, handler) => (event: MouseEvent) => {
+      pressed = event.clientX;
+      return handler(event);
+    },
+    click: (u) => (event: MouseEvent) => {
+      clearTimeout(timer);
+      if (event.detail > 1 || Math.abs(event.clientX - pressed) > 3) return null;
+      const time = u.posToVal(u.cursor.left ?? -1, "x");
+      timer = setTimeout(() => latest.current.onGo(time), kDoubleClick);
+      return null;
+    },
+    dblclick: () => () => {
+      clearTimeout(timer);
+      latest.current.onReset();
+      return null;
+    },
+  };
+}
+
+/** The moment that is shown, as a line through all. */
+function drawMoment(u: uPlot, { moment, span, look }: Props): void {
+  if (moment === null || moment < span.from || moment > span.to) return;
+  const x = Math.round(u.valToPos(moment, "x", true));
+  u.ctx.save();
+  u.ctx.strokeStyle = look.past;
+  u.ctx.lineWidth = 2 * window.devicePixelRatio;
+  u.ctx.beginPath();
+  u.ctx.moveTo(x, u.bbox.top);
+  u.ctx.lineTo(x, u.bbox.top + u.bbox.height);
+  u.ctx.stroke();
+  u.ctx.restore();
 }
 
 /** Of time, and of the strip's unit. */
@@ -227,6 +270,7 @@ function axesOf({ strip, look }: Props): uPlot.Axis[] {
 /** Tells where the pointer is, and which time was chosen by dragging. */
 function hooksOf(latest: { current: Props }): uPlot.Hooks.Arrays {
   return {
+    draw: [(u) => drawMoment(u, latest.current)],
     setCursor: [
       (u) => {
         const left = u.cursor.left ?? -1;

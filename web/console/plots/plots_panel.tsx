@@ -3,15 +3,16 @@ import { type KeyboardEvent, useCallback, useEffect, useMemo, useRef, useState }
 import { Button, DialogTrigger, Menu, MenuItem, MenuTrigger, Popover, ToggleButton } from "react-aria-components";
 import type uPlot from "uplot";
 import { useStore } from "zustand";
-import { usePart, useSession } from "../session/session.ts";
+import { useIsElsewhen, usePart, useSession } from "../session/session.ts";
+import { useHasPast, useTravel, useWhereabouts } from "../time/use_travel.ts";
 import { saveCsv, savePng, saveSvg } from "./downloads.ts";
 import { type PlotState, plotStore } from "./plot_store.ts";
 import { PlotStrip } from "./plot_strip.tsx";
 import "./plots.css";
-import { recorderOf } from "./recorder.ts";
+import { type Recorder, recorderOf } from "./recorder.ts";
 import { type SeriesSpec, seriesKey } from "./series.ts";
 import { SeriesChooser } from "./series_chooser.tsx";
-import { kWindows, panSpan, type Strip, spanOf, stripsOf, zoomSpan } from "./strips.ts";
+import { kWindows, panSpan, type Strip, spanOf, spanRound, stripsOf, zoomSpan } from "./strips.ts";
 
 const kColorsLight = ["#1d5fc4", "#b4540a", "#14713f", "#a3195b", "#6a4bc4", "#0b7285", "#7a6200", "#4d5766"];
 const kColorsDark = ["#74a8ff", "#ff9f5a", "#5fd08c", "#ff85b8", "#b197fc", "#4fd1e0", "#e3c34e", "#c3ccd8"];
@@ -29,10 +30,13 @@ export function PlotsPanel() {
   const revision = useRevision(() => recorder.revision, specs.length > 16 ? 250 : 100);
   const plots = useRef(new Map<string, uPlot>());
 
+  const travel = useTravel();
+  const at = useWhereabouts();
   useEffect(() => recorder.record(specs), [recorder, specs]);
+  usePastOf(recorder, specs);
   const strips = useStrips();
   const extent = recorder.extent();
-  const span = spanOf(view, extent.first, extent.last);
+  const span = at.isNow ? spanOf(view, extent.first, extent.last) : spanRound(view, at.time, travel.end);
   const colors = theme === "dark" ? kColorsDark : kColorsLight;
   const look = useMemo(lookOf, [theme]);
 
@@ -71,6 +75,8 @@ export function PlotsPanel() {
               colors={colors}
               look={look}
               cursor={cursor}
+              moment={at.isNow ? null : at.time}
+              onGo={travel.does.go}
               onCursor={setCursor}
               onZoom={zoom}
               onReset={goLive}
@@ -81,6 +87,17 @@ export function PlotsPanel() {
         </section>
       )}
     </div>
+  );
+}
+
+/** Over the whole run: read once all at once for what was chosen, and again after one has looked back. */
+function usePastOf(recorder: Recorder, specs: readonly SeriesSpec[]): void {
+  const { model } = useSession();
+  const hasPast = useHasPast();
+  const isElsewhen = useIsElsewhen();
+  useEffect(
+    () => (hasPast ? recorder.readPast(model, isElsewhen) : undefined),
+    [recorder, model, hasPast, isElsewhen, specs],
   );
 }
 
@@ -241,12 +258,13 @@ function useRevision(read: () => number, interval: number): number {
   return revision;
 }
 
-function lookOf(): { text: string; grid: string; font: string } {
+function lookOf(): { text: string; grid: string; past: string; font: string } {
   const style = getComputedStyle(document.documentElement);
   const read = (name: string, fallback: string) => style.getPropertyValue(name).trim() || fallback;
   return {
     text: read("--text-2", "#555"),
     grid: read("--line", "#ddd"),
+    past: read("--past", "#6a3fb5"),
     font: `11px ${read("--font", "sans-serif")}`,
   };
 }

@@ -1,7 +1,15 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { Model } from "../../core/model.ts";
-import { type Order, type Reply, ReplySchema, SeriesDataSchema } from "../../core/protocol.ts";
+import {
+  MomentSchema,
+  type Order,
+  PastSchema,
+  type Reply,
+  ReplySchema,
+  SeriesDataSchema,
+  TimeLineSchema,
+} from "../../core/protocol.ts";
 import { Watching } from "../../core/watching.ts";
 import { Recorder } from "./recorder.ts";
 import type { SeriesSpec } from "./series.ts";
@@ -96,5 +104,22 @@ describe("the recorder", () => {
     model.set("link", { state: "open", reason: "", retryAt: 0, silentSince: 0 });
     await settle();
     expect([...(recorder.recordingOf("r1/speed")?.buffer.samples().times ?? [])]).toEqual([0, 1, 2, 3]);
+  });
+
+  it("takes nothing of another moment for what goes on, and reads the whole run there", async () => {
+    const { recorder, model, connection, live } = setUp(() => samples([8, 8]));
+    recorder.record([kSpeed]);
+    await settle();
+    const id = recorder.recordingOf("r1/speed")?.id ?? 0;
+    model.set("timeLine", create(TimeLineSchema, { end: 9 }));
+    model.set("moment", create(MomentSchema, { time: 3 }));
+    live(id, [3, 99]);
+    const past = create(PastSchema, { knownTo: 9, samples: [{ id, samples: samples([0, 1], [3, 3], [9, 9]) }] });
+    connection.ask = async () => create(ReplySchema, { ok: true, result: { case: "past", value: past } });
+    const stop = recorder.readPast(model, true);
+    await settle();
+    stop();
+    expect([...(recorder.recordingOf("r1/speed")?.buffer.samples().times ?? [])]).toEqual([0, 3, 8, 9]);
+    expect([...(recorder.recordingOf("r1/speed")?.buffer.samples().values ?? [])]).toEqual([1, 3, 8, 9]);
   });
 });

@@ -1,7 +1,8 @@
 // Records the chosen series, whether or not the panel is on the screen, and fills in what was before.
 import type { Connection } from "../../core/connection.ts";
 import type { Model } from "../../core/model.ts";
-import type { SeriesData } from "../../core/protocol.ts";
+import { readPast } from "../../core/past_reader.ts";
+import type { Past, SeriesData } from "../../core/protocol.ts";
 import { kMostWatched, type SeriesWish } from "../../core/watching.ts";
 import { SampleBuffer } from "./samples.ts";
 import { quantityInfo, type SeriesSpec, seriesKey } from "./series.ts";
@@ -78,6 +79,29 @@ export class Recorder {
       last = Math.max(last, buffer.lastTime);
     }
     return { first, last };
+  }
+
+  /**
+   * Reads what was over the whole run, as it is computed again. `goesOn`: samples don't come by themselves, as while
+   * another moment is shown. @returns how to end it
+   */
+  readPast(model: Pick<Model, "get">, goesOn: boolean): () => void {
+    const recordings = [...this.byKey.values()];
+    if (recordings.length === 0) return () => {};
+    return readPast(
+      { model, connection: this.connection },
+      { wish: { series: recordings.map(wishOf) }, take: (past) => this.takePast(past), goesOn },
+    );
+  }
+
+  private takePast({ samples }: Past): void {
+    for (const { id, samples: bytes, error } of samples) {
+      const recording = this.byId.get(id);
+      if (!recording) continue;
+      if (error !== "" || recording.error !== "") recording.error = error;
+      recording.buffer.fill(bytes, factorOf(recording.spec));
+    }
+    this.version += 1;
   }
 
   private accept(data: SeriesData): void {

@@ -12,6 +12,22 @@ function bytesOf(pairs: readonly (readonly [number, number])[]): Uint8Array {
 }
 
 describe("SampleBuffer", () => {
+  it("fills in what was computed again, behind its end as well, and keeps what came live at equal times", () => {
+    const b = new SampleBuffer();
+    b.append(5, 50);
+    b.append(6, 60);
+    b.fill(
+      bytesOf([
+        [0, 0],
+        [5, 1],
+        [5.5, 55],
+        [9, 90],
+      ]),
+    );
+    expect([...b.samples().times]).toEqual([0, 5, 5.5, 6, 9]);
+    expect([...b.samples().values]).toEqual([0, 50, 55, 60, 90]);
+  });
+
   it("keeps what it is given until it is full", () => {
     const b = new SampleBuffer(8);
     b.appendBytes(

@@ -56,8 +56,16 @@ export class SampleBuffer {
    * beyond them is of an older run, and is used only up to there.
    */
   merge(bytes: Uint8Array, factor = 1): void {
+    this.join(bytes, factor, this.count > 0 ? this.lastTime : Number.POSITIVE_INFINITY);
+  }
+
+  /** Takes what was computed again of the run as it goes on; at equal times what came live holds, and so does what is finer. */
+  fill(bytes: Uint8Array, factor = 1): void {
+    this.join(bytes, factor, Number.POSITIVE_INFINITY);
+  }
+
+  private join(bytes: Uint8Array, factor: number, end: number): void {
     const live = this.samples();
-    const end = this.count > 0 ? this.lastTime : Number.POSITIVE_INFINITY;
     this.clear();
     let next = 0;
     const appendLiveBefore = (time: number) => {

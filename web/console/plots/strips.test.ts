@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { QuantityName, SeriesSpec } from "./series.ts";
-import { panSpan, spanOf, stripsOf, zoomSpan } from "./strips.ts";
+import { panSpan, spanOf, spanRound, stripsOf, zoomSpan } from "./strips.ts";
 
 const robot = (id: number, quantity: QuantityName, port = ""): SeriesSpec => ({ quantity, robot: id, unit: "", port });
 const kUnits = () => "deg";
@@ -58,6 +58,15 @@ describe("the span of time", () => {
     });
     const { from, to } = spanOf({ live: true, window: 10 }, 5, 5);
     expect(to - from).toBeGreaterThanOrEqual(1);
+  });
+  it("has the moment that is looked at in it, and does not reach beyond the run", () => {
+    const minute = { live: true, window: 60 } as const;
+    expect(spanRound(minute, 100, 300)).toEqual({ from: 70, to: 130 });
+    expect(spanRound(minute, 10, 300)).toEqual({ from: 0, to: 60 });
+    expect(spanRound(minute, 290, 300)).toEqual({ from: 240, to: 300 });
+    expect(spanRound(minute, 20, 30)).toEqual({ from: 0, to: 30 });
+    expect(spanRound({ live: true, window: 0 }, 20, 300)).toEqual({ from: 0, to: 300 });
+    expect(spanRound({ live: false, from: 3, to: 4 }, 20, 300)).toEqual({ from: 3, to: 4 });
   });
   it("zooms about its middle and moves by a share of its length", () => {
     expect(zoomSpan({ from: 0, to: 10 }, 0.5)).toEqual({ from: 2.5, to: 7.5 });

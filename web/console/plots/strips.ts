@@ -85,6 +85,15 @@ export function spanOf(view: TimeView, first: number, last: number): { from: num
   return { from, to: Math.max(last, from + 1) };
 }
 
+/** While another moment is shown, as much time as was shown live, with that moment in it: the whole run where that was. */
+export function spanRound(view: TimeView, time: number, end: number): { from: number; to: number } {
+  if (!view.live) return { from: view.from, to: view.to };
+  const last = Math.max(end, 1);
+  if (view.window <= 0 || view.window >= last) return { from: 0, to: last };
+  const from = Math.min(Math.max(0, time - view.window / 2), last - view.window);
+  return { from, to: from + view.window };
+}
+
 /** The middle stays; never less than a tenth of a second. */
 export function zoomSpan(span: { from: number; to: number }, factor: number): { from: number; to: number } {
   const middle = (span.from + span.to) / 2;

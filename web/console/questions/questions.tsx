@@ -7,7 +7,7 @@ import { duration, readableMessage } from "../../ui/words/format.ts";
 import { commandOfUnit } from "../mission/unit_command.ts";
 import { robotPlace, unitPlace } from "../mission/unit_place.ts";
 import { answer } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { usePart, useSession, useWhyNoOrder } from "../session/session.ts";
 import { countdown } from "./countdown.ts";
 import "./questions.css";
 
@@ -25,7 +25,8 @@ export function Questions() {
 
 function QuestionCard({ question, isOldest }: { question: Questions_Question; isOldest: boolean }) {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const why = useWhyNoOrder("answer");
+  const mayOrder = why === undefined;
   const link = usePart("link");
   const status = usePart("status");
   const isDoing = commandOfUnit(status, question.unit);
@@ -59,7 +60,7 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
       <div className="question-buttons">
         <Button
           className="go"
-          isDisabled={!isOperator}
+          isDisabled={!mayOrder}
           aria-keyshortcuts={isOldest ? "P" : undefined}
           data-proceed=""
           onPress={() => answer(session, question.id, true)}
@@ -68,17 +69,15 @@ function QuestionCard({ question, isOldest }: { question: Questions_Question; is
         </Button>
         <Button
           className="danger-quiet"
-          isDisabled={!isOperator}
+          isDisabled={!mayOrder}
           aria-keyshortcuts={isOldest ? "Shift+P" : undefined}
           onPress={() => answer(session, question.id, false)}
         >
           ABORT {isOldest && <kbd>Shift P</kbd>}
         </Button>
       </div>
-      {!isOperator && (
-        <p className="small muted">
-          {link.state === "open" ? "Only the operator can answer." : "Can be answered once the connection is back."}
-        </p>
+      {!mayOrder && (
+        <p className="small muted">{link.state === "open" ? why : "Can be answered once the connection is back."}</p>
       )}
     </section>
   );

@@ -6,7 +6,7 @@ import { Field, IconButton, RangeSlider, Search, Switch } from "../../ui/control
 import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
 import { order } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { usePart, useSession, useWhyNoOrder } from "../session/session.ts";
 import { isSwitchedOn, parameterKind, parameterProblem, sliderOf, valueNumber } from "./parameter.ts";
 import { portGroups, spacedName } from "./ports.ts";
 import { usePortText } from "./ports_tab.tsx";
@@ -17,7 +17,7 @@ const kLive = 150; // ms between values while a slider is dragged
 /** The parameters of the first robot's program; a change goes to all selected robots that have it. */
 export function ParametersTab({ robots }: { robots: readonly number[] }) {
   const roster = usePart("roster");
-  const isOperator = useIsOperator();
+  const why = useWhyNoOrder("change parameters");
   const [query, setQuery] = useState("");
   usePorts("parameters", true);
   const first = robots[0] as number;
@@ -35,7 +35,7 @@ export function ParametersTab({ robots }: { robots: readonly number[] }) {
           Values are those of {roster.nameOf(first)}.
         </p>
       )}
-      {!isOperator && <p className="notice">Only the operator can change parameters.</p>}
+      {why && <p className="notice">{why}</p>}
       {groups.map((group) => (
         <section key={group.node} className="rows" aria-label={group.node || "Program"}>
           <h3 className="mono port-node">{group.node || "program"}</h3>
@@ -46,7 +46,7 @@ export function ParametersTab({ robots }: { robots: readonly number[] }) {
               index={row.index}
               name={spacedName(row.name)}
               robots={same}
-              isDisabled={!isOperator}
+              isDisabled={why !== undefined}
             />
           ))}
         </section>

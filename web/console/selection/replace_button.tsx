@@ -16,7 +16,7 @@ export function ReplaceButton({ robots }: { robots: readonly number[] }) {
           ? `Another robot of its type can take the place of ${one}, under the same order: its program begins anew there.`
           : "Others of their types can take their places, under the same orders: their programs begin anew there."}
       </p>
-      <Button isDisabled={!session.model.isOperator()} onPress={() => void replaceRobots(session, robots)}>
+      <Button isDisabled={!session.model.mayOrder()} onPress={() => void replaceRobots(session, robots)}>
         {one ? `Replace ${one}` : `Replace these ${robots.length}`}
       </Button>
     </div>

@@ -8,6 +8,7 @@ import { faulted, robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session/session.ts";
 import { ReplaceButton } from "./replace_button.tsx";
 import { SaidThere } from "./said.tsx";
+import { useMissing } from "./use_missing.ts";
 
 /** One robot in short. */
 export function RobotFacts({ id }: { id: number }) {
@@ -18,13 +19,14 @@ export function RobotFacts({ id }: { id: number }) {
   const state = robotState(row < 0 ? 0 : model.robots.flags(row));
   const roster = usePart("roster");
   const failsafes = usePart("failsafes");
+  const missing = useMissing();
   const silent = usePart("status")?.silentMachines.find((one) => one.name === detail?.machine);
   if (!detail || detail.life === kNotStarted) {
     return (
       <div className="rows tab-body">
         <span className={`pill ${state.tone}`}>{state.word}</span>
         <p className="muted">
-          {row < 0 ? "Not started yet: START puts it where its outline stands on the map." : "Waiting for its data…"}
+          {row < 0 ? "Not started yet: START puts it where its outline stands on the map." : missing}
         </p>
       </div>
     );

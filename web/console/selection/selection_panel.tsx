@@ -11,6 +11,7 @@ import { MapItemFacts } from "./map_item_facts.tsx";
 import { ParametersTab } from "./parameters_tab.tsx";
 import { PortsTab } from "./ports_tab.tsx";
 import { RobotFacts } from "./robot_facts.tsx";
+import { StatesOverTime } from "./states_over_time.tsx";
 import { WhyTab } from "./why_tab.tsx";
 import "./selection.css";
 
@@ -43,7 +44,14 @@ export function SelectionPanel() {
           </Tab>
         </TabList>
         <TabPanel id="overview" className="tab-panel">
-          {isOne ? <RobotFacts id={first} /> : <GroupFacts robots={selection.robots} unit={selection.unit} />}
+          {isOne ? (
+            <>
+              <RobotFacts id={first} />
+              <StatesOverTime robot={first} />
+            </>
+          ) : (
+            <GroupFacts robots={selection.robots} unit={selection.unit} />
+          )}
         </TabPanel>
         <TabPanel id="why" className="tab-panel">
           <FirstOfSeveral robots={selection.robots} />

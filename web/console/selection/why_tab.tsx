@@ -4,12 +4,14 @@ import { Bar } from "../../ui/controls/controls.tsx";
 import { FactList } from "../../ui/controls/fact_list.tsx";
 import { quantity, readableMessage } from "../../ui/words/format.ts";
 import { usePart } from "../session/session.ts";
+import { useMissing } from "./use_missing.ts";
 import { direction, type Member, type VectorSum, vectorSums } from "./why.ts";
 
 export function WhyTab({ id }: { id: number }) {
   const detail = usePart("details").get(id);
   const theme = usePart("map").theme;
-  if (!detail) return <p className="empty">Waiting for its data…</p>;
+  const missing = useMissing();
+  if (!detail) return <p className="empty">{missing}</p>;
   const all = vectorSums(detail.contributions);
   return (
     <div className="rows tab-body">

@@ -35,7 +35,7 @@ export interface PanelPlace {
 export const kDockSizes: Record<Dock, { least: number; most: number }> = {
   left: { least: 244, most: 560 },
   right: { least: 230, most: 640 },
-  bottom: { least: 140, most: 620 },
+  bottom: { least: 172, most: 620 },
 };
 
 /** Below, a panel lies over the map instead of beside it (as in styles/narrow.css). */

@@ -42,9 +42,16 @@ export function setSpeed(session: Session, speed: number): void {
   void order(session, { case: "setSpeed", value: { speed } });
 }
 
+/** From another moment to the run as it goes on. */
+export function backToNow(session: Session): void {
+  void order(session, { case: "lookBack", value: { to: { case: "now", value: true } } });
+}
+
 /** By two ways at once; does not wait for anything else. The page says so until every robot has confirmed it. */
 export async function emergencyStop(session: Session): Promise<void> {
   session.ui.set("stopSent", true);
+  // How far the stop has come is to be seen there alone.
+  if (session.model.isElsewhen()) backToNow(session);
   const ok = await session.connection.emergencyStop();
   if (!ok && session.ui.get("stopSent"))
     session.ui.tell("The emergency stop did not reach the server. Stop the robots by other means.");

@@ -45,7 +45,7 @@ export type Action = DeclaredAction<ActionGroup>;
 /** Actions of one group, as they are declared; see ui/commands/declared.ts. */
 export type ActionTable = DeclaredTable<Session, ActionGroup>;
 
-export type ActionGroup = "Run" | "Mission" | "Map" | "Tools" | "Selection" | "Edit" | "View" | "People";
+export type ActionGroup = "Run" | "Time" | "Mission" | "Map" | "Tools" | "Selection" | "Edit" | "View" | "People";
 
 /** Asked for anew each time they are shown or a key is pressed, so `blocked` tells how things stand. */
 export type ActionSource = (session: Session) => readonly Action[];

@@ -9,7 +9,8 @@ import { count, readableMessage } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, save, takeOperator } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
+import { useIsElsewhen, useIsOperator, useMayOrder, usePart, useSession, useUi } from "../session/session.ts";
+import { ElsewhenBanner, OnlyRecordedBanner } from "../time/elsewhen_banner.tsx";
 import { ChangedFiles } from "./changed_files.tsx";
 import type { StopState } from "./stop_state.ts";
 import { useStopState } from "./use_stop.ts";
@@ -19,12 +20,15 @@ export function Banners() {
   return (
     <div className="banners">
       <StopBanner />
+      <ElsewhenBanner />
+      <OnlyRecordedBanner />
       <LinkBanner />
       <MachinesBanner />
       <RequestBanner />
       <WatchingBanner />
       <OlderTextBanner />
       <NotKeptBanner />
+      <NotSavedBanner />
       <ChangedFiles />
       <Notice />
     </div>
@@ -33,7 +37,8 @@ export function Banners() {
 
 function StopBanner() {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const isOperator = useMayOrder();
+  const isElsewhen = useIsElsewhen();
   const isConnected = usePart("link").state === "open";
   const stop = useStopState();
   if (stop.kind === "none") return null;
@@ -45,7 +50,11 @@ function StopBanner() {
         <Button onPress={() => control(session, Control_Action.RELEASE_STOP)}>Release the stop</Button>
       ) : (
         <span>
-          {isConnected ? "Only the operator can release it." : "Not connected: it cannot be released from here."}
+          {isElsewhen
+            ? "So it was at this moment."
+            : isConnected
+              ? "Only the operator can release it."
+              : "Not connected: it cannot be released from here."}
         </span>
       )}
     </Banner>
@@ -131,7 +140,8 @@ function WatchingBanner() {
   const welcome = usePart("welcome");
   const isOperator = useIsOperator();
   const link = usePart("link");
-  if (!clients || !welcome || isOperator || link.state !== "open") return null;
+  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  if (!clients || !welcome || isOperator || isRecording || link.state !== "open") return null;
   const holder = clients.clients.find((client) => client.id === clients.operator);
   const hasAsked = clients.asks === welcome.client;
   return (
@@ -165,7 +175,7 @@ function OlderTextBanner() {
 function NotKeptBanner() {
   const session = useSession();
   const edits = usePart("edits");
-  const isOperator = useIsOperator();
+  const isOperator = useMayOrder();
   if (!edits?.notKept) return null;
   return (
     <Banner tone={edits.isDirty ? "danger" : "hold"} role="alert">
@@ -175,6 +185,20 @@ function NotKeptBanner() {
         {edits.isDirty ? " There is something that is not saved." : ""}
       </span>
       {edits.isDirty && isOperator && <Button onPress={() => save(session)}>Save</Button>}
+    </Banner>
+  );
+}
+
+function NotSavedBanner() {
+  const journal = usePart("journal");
+  if (!journal?.notSaved) return null;
+  return (
+    <Banner tone="hold" role="alert">
+      <Icon name="warning" />
+      <span className="grow">
+        What is done in this run is not saved. It goes on, but could not be continued after mlab ends:{" "}
+        {readableMessage(journal.notSaved)}.
+      </span>
     </Banner>
   );
 }

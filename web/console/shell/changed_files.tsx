@@ -3,7 +3,7 @@ import { useEffect, useState } from "react";
 import { Documents_Disk as Disk, type Documents_Document } from "../../core/protocol.ts";
 import { ChangedFile } from "../../ui/files/changed_file.tsx";
 import { order } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { useMayOrder, usePart, useSession } from "../session/session.ts";
 
 export function ChangedFiles() {
   const documents = usePart("documents")?.documents ?? [];
@@ -12,7 +12,7 @@ export function ChangedFiles() {
 
 function OneFile({ document: { path, disk, takenOver } }: { document: Documents_Document }) {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   // What happened before this page saw the file is no news to it.
   const [seen, setSeen] = useState(takenOver);
   const [knowsItIsGone, setKnowsItIsGone] = useState(false);
@@ -31,7 +31,7 @@ function OneFile({ document: { path, disk, takenOver } }: { document: Documents_
       onTakeTheirs={() => reload(false)}
       onKeepMine={() => void order(session, { case: "saveDocuments", value: { documents: [path], overwrite: true } })}
       onDismiss={() => (isGone ? setKnowsItIsGone(true) : setSeen(takenOver))}
-      isWatching={!isOperator}
+      isWatching={!mayOrder}
     />
   );
 }

@@ -5,7 +5,7 @@ import { MapView } from "../../core/map/map_view.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { tools } from "../extensions/extensions.ts";
-import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
+import { useIsElsewhen, useMayOrder, usePart, useSession, useUi } from "../session/session.ts";
 import { forgetView, restoreView } from "./view_memory.ts";
 
 export function MapPane() {
@@ -56,6 +56,11 @@ function useTool(): void {
   const session = useSession();
   const map = useUi("map");
   const id = useUi("tool");
+  const isElsewhen = useIsElsewhen();
+  useEffect(() => {
+    // Nothing is ordered or changed there.
+    if (isElsewhen && tools.some((one) => one.id === id && one.forOperator)) session.ui.set("tool", "");
+  }, [isElsewhen, id, session]);
   useEffect(() => {
     if (!map) return;
     const tool = tools.find((one) => one.id === id);
@@ -74,7 +79,8 @@ function MapTools() {
   const { ui, model } = useSession();
   const map = useUi("map");
   const tool = useUi("tool");
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
+  const isElsewhen = useIsElsewhen();
   const hasSelection = usePart("selection").robots.length > 0;
   return (
     <div className="map-tools" role="toolbar" aria-label="Map tools" aria-orientation="vertical">
@@ -85,10 +91,14 @@ function MapTools() {
           <IconButton
             key={one.id}
             icon={one.icon}
-            label={one.forOperator && !isOperator ? `${one.label} (operator only)` : one.label}
+            label={
+              one.forOperator && !mayOrder
+                ? `${one.label} (${isElsewhen ? "not while another moment is shown" : "operator only"})`
+                : one.label
+            }
             {...(one.shortcut ? { shortcut: shownShortcut(one.shortcut) } : {})}
             pressed={tool === one.id}
-            isDisabled={one.forOperator === true && !isOperator}
+            isDisabled={one.forOperator === true && !mayOrder}
             onPress={() => ui.set("tool", tool === one.id ? "" : one.id)}
           />
         ))}

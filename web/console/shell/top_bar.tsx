@@ -10,7 +10,7 @@ import { SpeedControl } from "../mission/speed_control.tsx";
 import { stateOf } from "../mission/state.ts";
 import { nameOf, nextRedo, nextUndo } from "../session/history.ts";
 import { emergencyStop, redo, save, undo } from "../session/orders.ts";
-import { usePart, useSession, useUi } from "../session/session.ts";
+import { useIsElsewhen, usePart, useSession, useUi } from "../session/session.ts";
 import { missionEdits } from "../session/ui.ts";
 import { FileMenu } from "../start/file_menu.tsx";
 import { stopWords } from "./stop_state.ts";
@@ -19,23 +19,25 @@ import { useStopState } from "./use_stop.ts";
 /** In a narrow window what is pressed in a hurry has a line of its own, and the rest the next one. */
 export function TopBar() {
   const session = useSession();
+  // In one nothing goes on that could be stopped.
+  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
   return (
     <header className="topbar">
       <div className="topbar-first">
         <FileMenu />
         <RunState />
-        <RunButton />
-        <StopButton />
+        {!isRecording && <RunButton />}
+        {!isRecording && <StopButton />}
       </div>
       <div className="topbar-rest">
         <div className="topbar-mission">
           <Title />
-          <UndoButtons />
+          {!isRecording && <UndoButtons />}
         </div>
         <div className="topbar-run">
-          <StepButton />
+          {!isRecording && <StepButton />}
           <Clocks />
-          <SpeedControl />
+          {!isRecording && <SpeedControl />}
           <span className="gap" />
           <People />
           <Hint text="Search everything" shortcut={shownShortcut("ctrl+k")}>
@@ -55,13 +57,16 @@ function Title() {
   const plan = usePart("plan");
   const project = usePart("project");
   const edits = usePart("edits");
-  const name = plan?.name || project?.mission || "missionlab";
+  const line = usePart("timeLine");
+  const mission = plan?.name || project?.mission || "missionlab";
+  const name = line?.recording ? `Recording ‘${line.recording}’` : mission;
   return (
     <>
       <h1 className="title ellipsis" title={project?.mission ?? ""}>
         {name}
       </h1>
-      {edits?.isDirty && (
+      {line?.recording && line.outcome && <span className="pill">{endOf(line.outcome)}</span>}
+      {edits?.isDirty && !line?.recording && (
         <Hint text="Save" shortcut={shownShortcut("ctrl+s")}>
           <Button tone="quiet" className="pill hold" onPress={() => save(session)}>
             Not saved
@@ -103,20 +108,28 @@ function RunState() {
   const { model } = useSession();
   const status = usePart("status");
   const link = usePart("link");
+  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const isElsewhen = useIsElsewhen();
   usePart("documents");
   const reach = link.state !== "open" ? "closed" : link.silentSince !== 0 ? "silent" : "open";
   const { word, tone } = stateOf(status ?? undefined, reach, situationOf(model).errors);
   return (
     <span className={`pill ${tone}`} role="status" data-testid="run-state">
       <span className="dot" />
-      {word}
+      {isElsewhen && reach === "open" && !isRecording ? `Was: ${word}` : word}
     </span>
   );
+}
+
+/** Of a recording; where it does not say how it ended, it was cut off. */
+function endOf(outcome: string): string {
+  return outcome === "cut off" ? "Cut off" : `Ended: ${outcome}`;
 }
 
 function Clocks() {
   const time = usePart("time");
   const status = usePart("status");
+  const isElsewhen = useIsElsewhen();
   const clock = status?.missionClock ?? "";
   const [date, hours] = clock.split("T");
   return (
@@ -124,7 +137,7 @@ function Clocks() {
       <Hint text={`Time since the run began${hours ? `; the mission's clock shows ${hours.slice(0, 8)}` : ""}`}>
         <Button tone="quiet" className="runtime" data-testid="run-time">
           <span className="hidden-text">Run time </span>
-          {duration(Math.max(time, status?.time ?? 0), true)}
+          {duration(isElsewhen ? time : Math.max(time, status?.time ?? 0), true)}
         </Button>
       </Hint>
       {hours && (

@@ -2,13 +2,13 @@ import { Button } from "../../ui/controls/controls.tsx";
 import { MenuButton } from "../../ui/controls/menus.tsx";
 import { shownPath, shownTitle } from "../../ui/files/paths.ts";
 import { openMission, save } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { useMayOrder, usePart, useSession } from "../session/session.ts";
 
 export function FileMenu() {
   const session = useSession();
   const project = usePart("project");
   const edits = usePart("edits");
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const set = (dialog: "open" | "new" | "save-as" | "shortcuts") => () => session.ui.set("dialog", dialog);
   const hasMission = (project?.mission ?? "") !== "";
   const files = (entries: readonly { path: string; title: string }[], prefix: string) =>
@@ -16,7 +16,7 @@ export function FileMenu() {
       id: `${prefix}${entry.path}`,
       label: shownTitle(entry),
       detail: shownPath(entry.path),
-      isDisabled: !isOperator,
+      isDisabled: !mayOrder,
       run: () => void openMission(session, entry.path),
     }));
   return (
@@ -26,13 +26,13 @@ export function FileMenu() {
       groups={[
         {
           entries: [
-            { id: "new", label: "New mission…", icon: "file", isDisabled: !isOperator, run: set("new") },
+            { id: "new", label: "New mission…", icon: "file", isDisabled: !mayOrder, run: set("new") },
             {
               id: "open",
               label: "Open…",
               icon: "folder",
               shortcut: "Ctrl O",
-              isDisabled: !isOperator,
+              isDisabled: !mayOrder,
               run: set("open"),
             },
             {
@@ -40,7 +40,7 @@ export function FileMenu() {
               label: "Save",
               icon: "save",
               shortcut: "Ctrl S",
-              isDisabled: !isOperator || !hasMission || !edits?.isDirty,
+              isDisabled: !mayOrder || !hasMission || !edits?.isDirty,
               run: () => save(session),
             },
             {
@@ -48,7 +48,7 @@ export function FileMenu() {
               label: "Save as…",
               icon: "save",
               shortcut: "Ctrl Shift S",
-              isDisabled: !isOperator || !hasMission,
+              isDisabled: !mayOrder || !hasMission,
               run: set("save-as"),
             },
           ],

@@ -1,16 +1,17 @@
 import type { Project_Entry } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
-import { shownPath, shownTitle } from "../../ui/files/paths.ts";
-import { openMission } from "../session/orders.ts";
-import { useIsOperator, usePart, useSession } from "../session/session.ts";
+import { nameOf, shownPath, shownTitle } from "../../ui/files/paths.ts";
+import { duration } from "../../ui/words/format.ts";
+import { openMission, order } from "../session/orders.ts";
+import { useMayOrder, usePart, useSession } from "../session/session.ts";
 import "../../ui/files/start.css";
 
 /** Without a mission: what there is to open, and how to begin one. */
 export function StartPage() {
   const { ui } = useSession();
   const project = usePart("project");
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   if (!project) return null;
   return (
     <main className="start">
@@ -26,16 +27,17 @@ export function StartPage() {
             tone="primary"
             className="large"
             icon="plus"
-            isDisabled={!isOperator}
+            isDisabled={!mayOrder}
             onPress={() => ui.set("dialog", "new")}
           >
             New mission
           </Button>
-          <Button className="large" icon="folder" isDisabled={!isOperator} onPress={() => ui.set("dialog", "open")}>
+          <Button className="large" icon="folder" isDisabled={!mayOrder} onPress={() => ui.set("dialog", "open")}>
             Open…
           </Button>
         </div>
-        {!isOperator && <p className="notice">You are watching. The operator chooses the mission.</p>}
+        <Unfinished />
+        {!mayOrder && <p className="notice">You are watching. The operator chooses the mission.</p>}
         <div className="start-lists">
           <Entries
             title="Recent"
@@ -56,6 +58,40 @@ export function StartPage() {
   );
 }
 
+/** Runs that mlab left when it ended or was killed. */
+function Unfinished() {
+  const session = useSession();
+  const mayOrder = useMayOrder();
+  const runs = usePart("journal")?.unfinished ?? [];
+  if (runs.length === 0) return null;
+  return (
+    <section aria-label="Unfinished runs">
+      <ul>
+        {runs.map((run) => (
+          <li key={run.name}>
+            <Button
+              tone="quiet"
+              className="start-entry"
+              isDisabled={!mayOrder}
+              onPress={() => void order(session, { case: "continueRun", value: { name: run.name } })}
+            >
+              <Icon name="play" />
+              <span className="grow">
+                <span className="start-title">
+                  Continue ‘{nameOf(run.mission).replace(/\.mdl$/, "")}’, stopped at {duration(run.time)}
+                </span>
+                <span className="small muted ellipsis">
+                  {shownPath(run.mission)}, left {new Date(run.leftAt * 1000).toLocaleString()}
+                </span>
+              </span>
+            </Button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
 interface EntriesProps {
   title: string;
   icon: "restart" | "file" | "map";
@@ -65,7 +101,7 @@ interface EntriesProps {
 
 function Entries({ title, icon, entries, none }: EntriesProps) {
   const session = useSession();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   return (
     <section aria-label={title}>
       <h2>{title}</h2>
@@ -76,7 +112,7 @@ function Entries({ title, icon, entries, none }: EntriesProps) {
             <Button
               tone="quiet"
               className="start-entry"
-              isDisabled={!isOperator}
+              isDisabled={!mayOrder}
               onPress={() => void openMission(session, entry.path)}
             >
               <Icon name={icon} />

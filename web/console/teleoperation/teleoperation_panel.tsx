@@ -3,7 +3,7 @@ import { useEffect, useMemo, useState } from "react";
 import { idRanges } from "../../core/format.ts";
 import type { RobotDetail, Status_Teleoperation } from "../../core/protocol.ts";
 import { count } from "../../ui/words/format.ts";
-import { usePart, useSession } from "../session/session.ts";
+import { usePart, useSession, useWhyNoOrder } from "../session/session.ts";
 import { bearingText, distanceText, meanPose, objectiveFrom } from "./objective.ts";
 import { StickPad } from "./stick_pad.tsx";
 import "./teleoperation.css";
@@ -13,10 +13,11 @@ const kNoTeleoperations: readonly Status_Teleoperation[] = [];
 const kMostDetails = 8; // robots of a unit that are looked at for where it is
 
 export function TeleoperationPanel() {
-  const { model, connection } = useSession();
+  const { connection } = useSession();
   const steered = usePart("status")?.teleoperations ?? kNoTeleoperations;
   usePart("clients");
-  const isOperator = model.isOperator();
+  const why = useWhyNoOrder("steer");
+  const isOperator = why === undefined;
   useStickSources(isOperator ? steered.map((each) => each.unit) : []);
   const watched = useMemo(() => steered.flatMap((each) => each.robots.slice(0, kMostDetails)), [steered]);
   const key = watched.join(" ");
@@ -28,9 +29,7 @@ export function TeleoperationPanel() {
 
   return (
     <div className="teleoperation">
-      {!isOperator && steered.length > 0 && (
-        <p className="teleoperation-note">You are watching: only the operator can steer.</p>
-      )}
+      {!isOperator && steered.length > 0 && <p className="teleoperation-note">{why}</p>}
       {steered.map((each) => (
         <StickCard key={each.unit} teleoperation={each} isOperator={isOperator} />
       ))}

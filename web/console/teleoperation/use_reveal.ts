@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "react";
 import { isShown, showPanel } from "../session/layout.ts";
 import type { Panel } from "../session/registry.ts";
-import { usePart, useSession } from "../session/session.ts";
+import { useIsElsewhen, usePart, useSession } from "../session/session.ts";
 
 /** Opens the sticks when one more unit comes under teleoperation, whoever began it. */
 export function useRevealTeleoperation(panels: readonly Panel[]): void {
@@ -9,14 +9,17 @@ export function useRevealTeleoperation(panels: readonly Panel[]): void {
   const status = usePart("status");
   const units = (status?.teleoperations ?? []).map((each) => each.unit).join("\n");
   const before = useRef("");
+  // Who looks at another moment takes nothing up there.
+  const isElsewhen = useIsElsewhen();
   useEffect(() => {
+    if (isElsewhen) return;
     const known = new Set(before.current.split("\n"));
     before.current = units;
     const hasNew = units !== "" && units.split("\n").some((unit) => !known.has(unit));
     const panel = panels.find((one) => one.id === "teleoperation");
     if (!hasNew || !panel || isShown(ui.shownLayout, panels, panel.id)) return;
     ui.set("layout", showPanel(ui.get("layout"), panel));
-  }, [units, panels, ui]);
+  }, [isElsewhen, units, panels, ui]);
 }
 
 /** How many units are steered, on the panel's button. */

@@ -70,7 +70,7 @@ function listen(control: StickControl, model: Model): () => void {
     }
     event.preventDefault();
     event.stopPropagation();
-    if (model.isOperator()) control.pressKey(drive, event.shiftKey);
+    if (model.mayOrder()) control.pressKey(drive, event.shiftKey);
   };
   const up = (event: KeyboardEvent) => {
     if (event.code === kHoldKey && isHandedOver) {
@@ -82,7 +82,7 @@ function listen(control: StickControl, model: Model): () => void {
     if (drive) control.releaseKey(drive, event.shiftKey);
   };
   const poll = setInterval(() => {
-    if (model.isOperator() && document.hasFocus()) control.readPad(firstPad());
+    if (model.mayOrder() && document.hasFocus()) control.readPad(firstPad());
     control.tick();
   }, kPollInterval);
   window.addEventListener("keydown", down, true);

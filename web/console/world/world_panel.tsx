@@ -10,7 +10,7 @@ import { changeEditing, editStore } from "../map_editing/edit_store.ts";
 import { nudgeOf, toolGrid } from "../map_editing/snap.ts";
 import { type ListedThing, ThingList } from "../map_editing/thing_list.tsx";
 import { editName, isEditable, movedTo, type ObjectStyle, type Thing, thingKey } from "../map_editing/things.ts";
-import { useIsOperator, usePart, useSession, useUi } from "../session/session.ts";
+import { useMayOrder, usePart, useSession, useUi } from "../session/session.ts";
 import { RandomObstaclesDialog } from "./random_dialog.tsx";
 import { replaceThing, thingsOf } from "./scene_things.ts";
 import "../map_editing/world.css";
@@ -25,7 +25,7 @@ export function WorldPanel() {
   const session = useSession();
   const scene = usePart("scene");
   const selection = usePart("selection");
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const [isRandom, setRandom] = useState(false);
   const things = useMemo(() => thingsOf(scene, session.model.movedObjects), [scene, session]);
   const chosen = useMemo(() => {
@@ -39,15 +39,15 @@ export function WorldPanel() {
     const scale = session.ui.get("map")?.camera.scale ?? 1;
     const step = nudgeOf(event.key, event.shiftKey, grid ? toolGrid(scale) : 0, 1 / scale);
     const movable = chosen.filter(isEditable);
-    if (!step || movable.length === 0 || !isOperator) return false;
+    if (!step || movable.length === 0 || !mayOrder) return false;
     const moved = movable.map((t) => movedTo(t, t.x + step.dx, t.y + step.dy));
     void editMap(session, editName("move", moved), moved.map(replaceThing));
     return true;
   };
   return (
     <div className="world">
-      <WorldTools isOperator={isOperator} onRandom={() => setRandom(true)} />
-      {chosen.length > 0 && <ChosenThings chosen={chosen} isOperator={isOperator} />}
+      <WorldTools mayOrder={mayOrder} onRandom={() => setRandom(true)} />
+      {chosen.length > 0 && <ChosenThings chosen={chosen} mayOrder={mayOrder} />}
       <section aria-label="All obstacles and objects" className="world-all">
         <h3>{summary(things)}</h3>
         <ThingList label="Obstacles and objects" things={listed(things)} onNudge={nudge} />
@@ -60,7 +60,7 @@ export function WorldPanel() {
   );
 }
 
-function WorldTools({ isOperator, onRandom }: { isOperator: boolean; onRandom: () => void }) {
+function WorldTools({ mayOrder, onRandom }: { mayOrder: boolean; onRandom: () => void }) {
   const { ui } = useSession();
   const tool = useUi("tool");
   const { world, grid } = useStore(editStore);
@@ -83,13 +83,13 @@ function WorldTools({ isOperator, onRandom }: { isOperator: boolean; onRandom: (
             icon={icon}
             tone={tool === "world" && world === what ? "primary" : "plain"}
             aria-pressed={tool === "world" && world === what}
-            isDisabled={!isOperator}
+            isDisabled={!mayOrder}
             onPress={() => take(what)}
           >
             {label}
           </Button>
         ))}
-        <Button isDisabled={!isOperator} onPress={onRandom}>
+        <Button isDisabled={!mayOrder} onPress={onRandom}>
           Random obstacles…
         </Button>
       </div>
@@ -150,13 +150,13 @@ function addInMiddle(session: ReturnType<typeof useSession>, what: "obstacle" | 
   );
 }
 
-function ChosenThings({ chosen, isOperator }: { chosen: readonly Thing[]; isOperator: boolean }) {
+function ChosenThings({ chosen, mayOrder }: { chosen: readonly Thing[]; mayOrder: boolean }) {
   const session = useSession();
   const [only] = chosen;
   const remove = (
     <Button
       className="danger-quiet"
-      isDisabled={!isOperator || !chosen.some(isEditable)}
+      isDisabled={!mayOrder || !chosen.some(isEditable)}
       onPress={() =>
         void removeItems(
           session,
@@ -175,7 +175,7 @@ function ChosenThings({ chosen, isOperator }: { chosen: readonly Thing[]; isOper
       </section>
     );
   }
-  const isLocked = !isOperator || !isEditable(only);
+  const isLocked = !mayOrder || !isEditable(only);
   const set = (verb: string, thing: Thing) => void editMap(session, editName(verb, [thing]), [replaceThing(thing)]);
   return (
     <section aria-label="Selected thing" className="world-chosen">

@@ -30,10 +30,12 @@ export function Banners() {
 
 /** What comes and goes while somebody works: over the drawing, which must not move under the pointer. */
 export function FloatingBanners() {
-  const Over = useDesigner().extensions.over;
+  const { over = [] } = useDesigner().extensions;
   return (
     <div className="floating-banners">
-      {Over && <Over />}
+      {over.map((Over) => (
+        <Over key={Over.displayName ?? Over.name} />
+      ))}
       <ChangedBanner />
       <OutdatedBanner />
       <NoticeBanner />

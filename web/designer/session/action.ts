@@ -1,6 +1,6 @@
 import type { Command } from "../../ui/commands/commands.tsx";
 
-export type ActionGroup = "File" | "Edit" | "Place" | "Arrange" | "Go" | "View" | "Compare" | "Run" | "Help";
+export type ActionGroup = "File" | "Edit" | "Place" | "Arrange" | "Go" | "View" | "Compare" | "Run" | "Time" | "Help";
 
 /** Something that can be done: in menus, in the list of all commands, by a key. */
 export interface Action extends Command {

@@ -21,8 +21,10 @@ export interface Extensions {
   readonly live?: ComponentType;
   /** Below the drawing, shown while `shown.tests`. */
   readonly tests?: { readonly header: ComponentType; readonly panel: ComponentType };
+  /** Below all panes. */
+  readonly bottom?: ComponentType;
   /** Over the drawing, above what else is told there. */
-  readonly over?: ComponentType;
+  readonly over?: readonly ComponentType[];
   /** At the end of the details of what is selected; `id` as in `State.selection`. */
   readonly details?: ComponentType<{ drawing: Drawing; id: string }>;
   /** Gives the fields of a node's inputs while it runs. */

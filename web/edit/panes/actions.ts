@@ -1,12 +1,19 @@
 // Running among all that can be done: in the list of commands, and by keys.
+import { kTimeTable } from "../../console/time/time_actions.ts";
 import type { Action } from "../../designer/session/action.ts";
 import type { Designer } from "../../designer/session/designer.ts";
+import { actionsOf } from "../../ui/commands/declared.ts";
 import { kBreakKey, kFieldKey, kPinKey, kRunKey, kStepKey, kStopKey } from "../run/keys.ts";
-import { knownLive, liveOf } from "../run/live.ts";
+import { knownLive, type Live, liveOf } from "../run/live.ts";
 import { offersTakeOver, runButton } from "../run/run_button.ts";
 import { showPane } from "../run/run_context.ts";
 import { situationOf } from "../run/situation.ts";
 import { liveMenu } from "./menu.ts";
+
+/** Going through the run: its line stands below the drawing. */
+function timeActions({ session }: Live): Action[] {
+  return actionsOf(kTimeTable, session).map((one) => ({ ...one, group: "Time" }));
+}
 
 export function liveActions(designer: Designer): Action[] {
   const live = designer.document ? liveOf(designer) : knownLive(designer);
@@ -53,6 +60,7 @@ export function liveActions(designer: Designer): Action[] {
         live.store.setState({ showsField: !showsField, field: null, fieldError: "" });
       },
     },
+    ...timeActions(live),
     { id: "to-console", label: "Open the run in the console", group: "Run", run: () => live.operator.openConsole() },
     keyed(
       menu.find(({ id }) => id.startsWith("break")),

@@ -3,7 +3,7 @@
 import { Parameter } from "../../console/selection/parameters_tab.tsx";
 import { usePortText } from "../../console/selection/ports_tab.tsx";
 import { useSomePorts } from "../../console/selection/use_watched.ts";
-import { useIsOperator, usePart as useSessionPart } from "../../console/session/session.ts";
+import { useMayOrder, usePart as useSessionPart } from "../../console/session/session.ts";
 import { type Port as LivePort, Port_Role } from "../../core/protocol.ts";
 import type { FieldOf, InputsProps } from "../../designer/session/extensions.ts";
 import { lastPart } from "../../designer/session/pages.ts";
@@ -70,14 +70,14 @@ interface FieldProps {
 
 function LiveField({ port, index, robots, node }: FieldProps) {
   const live = useLivePage();
-  const isOperator = useIsOperator();
+  const mayOrder = useMayOrder();
   const isReadOnly = useIsReadOnly();
   const shown = usePortText(robots[0] ?? 0, index);
   const name = parameterName(port.path);
   const isSame = shown === "" || shown === port.initial || isWritten(node, name, shown, port.unit);
   return (
     <div className="live-parameter">
-      <Parameter port={port} index={index} name={name} robots={robots} isDisabled={!isOperator} />
+      <Parameter port={port} index={index} name={name} robots={robots} isDisabled={!mayOrder} />
       {!isReadOnly && !isSame && (
         <Button icon="save" onPress={() => void writeBack(live, port.path, shown)}>
           Write {name} = {shown} to the text

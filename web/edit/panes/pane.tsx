@@ -1,5 +1,6 @@
 // The simulator beside the canvas: how it stands, the map, and below it what is known of the robot that is selected.
 import { useEffect } from "react";
+import { StatesOverTime } from "../../console/selection/states_over_time.tsx";
 import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { spokenPath } from "../../core/port_words.ts";
 import { Status_Mode } from "../../core/protocol.ts";
@@ -56,6 +57,7 @@ function RunLine() {
       <span className="number" data-testid="sim-time">
         {duration(time, true)}
       </span>
+      {now.isElsewhen && <span className="pill past">Not now</span>}
       <span className="small muted">
         {count} {count === 1 ? "robot" : "robots"}
       </span>
@@ -207,6 +209,7 @@ function RobotChoice() {
         )}
       </div>
       {states.length > 0 && <p className="small muted">{states.map(spokenPath).join(" · ")}</p>}
+      {selected !== 0 && <StatesOverTime robot={selected} />}
       {places.length === 0 && <p className="small muted">Nothing of this page runs in this robot.</p>}
     </section>
   );

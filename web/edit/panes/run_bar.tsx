@@ -5,13 +5,15 @@ import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
-import { Icon } from "../../ui/controls/icons.tsx";
+import { Icon, type IconName } from "../../ui/controls/icons.tsx";
 import { PopoverButton } from "../../ui/controls/menus.tsx";
 import { kRunKey, kStepKey, kStopKey } from "../run/keys.ts";
-import { offersChange, offersTakeOver, runButton } from "../run/run_button.ts";
+import { offersChange, offersTakeOver, type RunAct, runButton } from "../run/run_button.ts";
 import { InSession } from "./in_session.tsx";
 import { Setup } from "./setup.tsx";
 import { useLivePage, useSituation } from "./use_live_part.ts";
+
+const kIcons: Partial<Record<RunAct, IconName>> = { pause: "pause", release: "release", now: "right" };
 
 export function RunBar() {
   return (
@@ -36,7 +38,7 @@ function Bar() {
           isDisabled={act === "none"}
           onPress={() => void live.trials.press()}
         >
-          <Icon name={act === "pause" ? "pause" : act === "release" ? "release" : "play"} />
+          <Icon name={kIcons[act] ?? "play"} />
           {label}
         </Button>
       </Hint>
@@ -58,14 +60,14 @@ function Bar() {
         icon="step"
         label="One cycle"
         shortcut={shownShortcut(kStepKey)}
-        isDisabled={!now.isConnected || now.isBusy || !now.hasSubject}
+        isDisabled={!now.isConnected || now.isBusy || now.isElsewhen || !now.hasSubject}
         onPress={() => void live.trials.step()}
       />
       <IconButton
         icon="rewind"
         label="Stop: the robots go back to the start"
         shortcut={shownShortcut(kStopKey)}
-        isDisabled={!hasRun}
+        isDisabled={!hasRun || now.isElsewhen}
         onPress={() => void live.trials.stop()}
       />
       {status && status.mode !== Status_Mode.NO_MISSION && <SpeedControl />}

@@ -27,6 +27,8 @@ export function useSituation(): Situation {
   useSessionPart("status");
   useSessionPart("documents");
   useSessionPart("link");
+  useSessionPart("moment");
+  useSessionPart("timeLine");
   return situationOf(live);
 }
 

@@ -65,7 +65,8 @@ export class Follower {
     }
     // A place that was chosen is one of another page from here on.
     store.setState({ chosenPlace: "" });
-    void designer.link.ask({ case: "findLive", value: { document, page } }).then((answer) => {
+    const programs = model.get("roster").programNames();
+    void designer.link.ask({ case: "findLive", value: { document, page, programs } }).then((answer) => {
       if (request !== this.asked) return;
       this.known = answer.result.case === "live" ? answer.result.value.places : [];
       this.turn();

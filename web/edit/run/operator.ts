@@ -1,5 +1,7 @@
 // Who steers the simulator: this page asks for the operator's place before it orders anything, and hands it on.
-import type { Control_Action, Order, Reply } from "../../core/protocol.ts";
+import { create } from "@bufbuild/protobuf";
+import { elsewhen } from "../../console/session/elsewhen.ts";
+import { type Control_Action, type Order, type Reply, ReplySchema } from "../../core/protocol.ts";
 import { withToken } from "../../core/server_link.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import type { RunContext } from "./run_context.ts";
@@ -19,6 +21,11 @@ export class Operator {
 
   /** Asks of the simulator, as its operator, and tells the person where the answer is no. */
   async order(body: Order): Promise<Reply> {
+    const why = elsewhen(this.context.model);
+    if (why !== undefined) {
+      this.context.designer.tell(why, "hold");
+      return create(ReplySchema, { ok: false, error: why });
+    }
     await this.become();
     const reply = await this.context.connection.ask(body);
     if (!reply.ok)

@@ -4,6 +4,8 @@ import { offersChange, offersTakeOver, runButton, type Situation } from "./run_b
 
 const first: Situation = {
   isConnected: true,
+  isRecording: false,
+  isElsewhen: false,
   isBusy: false,
   errors: 0,
   hasSubject: true,
@@ -20,6 +22,11 @@ test("at first it tries, and then it pauses and goes on", () => {
   expect(runButton({ ...tried, mode: Status_Mode.PAUSED })).toMatchObject({ act: "resume", label: "Go on" });
   expect(runButton({ ...tried, mode: Status_Mode.READY }).act).toBe("execute");
   expect(runButton({ ...tried, mode: Status_Mode.ENDED }).act).toBe("try");
+});
+
+test("beside a recording nothing runs", () => {
+  const recording = { ...first, isRecording: true, isElsewhen: true, mode: Status_Mode.RUNNING };
+  expect(runButton(recording)).toMatchObject({ act: "none", label: "Recording" });
 });
 
 test("a text that was changed is tried anew, at the latest when it is paused", () => {
@@ -62,4 +69,10 @@ test("somebody else's mission is said to be replaced", () => {
 
 test("an emergency stop is released first", () => {
   expect(runButton({ ...tried, mode: Status_Mode.STOPPED }).act).toBe("release");
+});
+
+test("from another moment of the run it leads back to now, and offers nothing else", () => {
+  const elsewhen = { ...tried, isCurrent: false, isElsewhen: true, mode: Status_Mode.RUNNING };
+  expect(runButton(elsewhen)).toMatchObject({ act: "now", label: "Back to now" });
+  expect([offersChange(elsewhen), offersTakeOver(elsewhen)]).toEqual([false, false]);
 });

@@ -4,6 +4,10 @@ import { Status_Mode } from "../../core/protocol.ts";
 export interface Situation {
   /** Connected to the simulator. */
   readonly isConnected: boolean;
+  /** A recording is shown: nothing can run beside it. */
+  readonly isRecording: boolean;
+  /** Another moment of the run than now is shown. */
+  readonly isElsewhen: boolean;
   /** An answer to Try is awaited. */
   readonly isBusy: boolean;
   /** Errors in the text that is shown. */
@@ -19,7 +23,7 @@ export interface Situation {
   readonly mode: Status_Mode;
 }
 
-export type RunAct = "try" | "execute" | "resume" | "pause" | "release" | "problems" | "none";
+export type RunAct = "try" | "execute" | "resume" | "pause" | "release" | "problems" | "now" | "none";
 
 export interface RunButton {
   readonly act: RunAct;
@@ -30,6 +34,9 @@ export interface RunButton {
 export function runButton(now: Situation): RunButton {
   if (!now.isConnected) return { act: "none", label: "Run", hint: "There is no connection to the simulator" };
   if (now.isBusy) return { act: "none", label: "Compiling…", hint: "The configuration is compiled" };
+  if (now.isRecording)
+    return { act: "none", label: "Recording", hint: "A recorded run is shown: nothing else can run" };
+  if (now.isElsewhen) return { act: "now", label: "Back to now", hint: "The drawing shows another moment of the run" };
   if (now.mode === Status_Mode.STOPPED) {
     return { act: "release", label: "Release", hint: "An emergency stop holds all robots" };
   }
@@ -59,10 +66,10 @@ export function isMoving(mode: Status_Mode): boolean {
 /** Whether the text has changed under what runs, and nothing else: its robots can go on with what it says now. */
 export function offersTakeOver(now: Situation): boolean {
   const runs = isMoving(now.mode) || now.mode === Status_Mode.PAUSED;
-  return now.isOurs && now.isSameSetup && !now.isCurrent && now.errors === 0 && !now.isBusy && runs;
+  return !now.isElsewhen && now.isOurs && now.isSameSetup && !now.isCurrent && now.errors === 0 && !now.isBusy && runs;
 }
 
 /** Whether the text has changed under what runs: then a second button begins anew with the change. */
 export function offersChange(now: Situation): boolean {
-  return now.isOurs && !now.isCurrent && now.errors === 0 && !now.isBusy && isMoving(now.mode);
+  return !now.isElsewhen && now.isOurs && !now.isCurrent && now.errors === 0 && !now.isBusy && isMoving(now.mode);
 }

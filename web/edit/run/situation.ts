@@ -15,6 +15,8 @@ export function situationOf({ designer, model, store }: RunContext): Situation {
     isMission(tried.mission, model.get("documents")?.documents[0]?.path);
   return {
     isConnected: model.get("link").state === "open",
+    isRecording: model.isRecording(),
+    isElsewhen: model.isElsewhen(),
     isBusy: state.isBusy,
     errors: document?.problems.filter(({ diagnostic }) => !diagnostic?.isWarning).length ?? 0,
     hasSubject: subjectOf(document?.declarations ?? [], state.subject, designer.state.page) !== undefined,

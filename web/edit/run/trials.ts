@@ -44,6 +44,9 @@ export class Trials {
       case "release":
         await this.operator.control(Control_Action.RELEASE_STOP);
         break;
+      case "now":
+        await this.context.connection.ask({ case: "lookBack", value: { to: { case: "now", value: true } } });
+        break;
       case "problems":
         showProblem(this.context.designer);
         break;

@@ -2,7 +2,7 @@
 import type { ReactNode } from "react";
 
 interface BannerProps {
-  tone: "danger" | "hold" | "accent";
+  tone: "danger" | "hold" | "accent" | "past";
   children: ReactNode;
   /** `alert` is said at once to who listens to the page. */
   role?: "status" | "alert";

@@ -131,6 +131,8 @@ interface FieldProps {
   onCommit?: (value: string) => void;
   /** Enter alone. */
   onEnter?: () => void;
+  onFocus?: () => void;
+  onBlur?: () => void;
   problem?: string | undefined;
   help?: string;
   hiddenLabel?: boolean;
@@ -152,12 +154,16 @@ export function Field(props: FieldProps) {
       onChange={props.onChange}
       onFocus={() => {
         entered.current = value;
+        props.onFocus?.();
       }}
       isInvalid={problem !== undefined}
       isDisabled={props.isDisabled ?? false}
       autoFocus={props.autoFocus ?? false}
       {...(props.hiddenLabel ? { "aria-label": label } : {})}
-      onBlur={() => onCommit?.(value)}
+      onBlur={() => {
+        onCommit?.(value);
+        props.onBlur?.();
+      }}
       onKeyDown={(event) => {
         if (event.key === "Enter") {
           onCommit?.(value);

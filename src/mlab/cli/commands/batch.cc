@@ -13,6 +13,8 @@
 #include <fmt/core.h>
 
 #include "mlab/base/counted.h"
+#include "mlab/cli/batch_outputs.h"
+#include "mlab/cli/batch_rank.h"
 #include "mlab/cli/batch_screen.h"
 #include "mlab/cli/batch_study.h"
 #include "mlab/cli/clock.h"
@@ -24,20 +26,14 @@
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/study/batch.h"
-#include "mlab/study/page.h"
+#include "mlab/study/shared_results.h"
 #include "mlab/study/study_file.h"
 #include "mlab/study/summary.h"
-#include "mlab/study/table.h"
 
 namespace mlab::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-int wrong_usage(const std::string& message) {
-  fmt::print(stderr, "mlab batch: {}\n", message);
-  return kBadInput;
-}
 
 // What the command line says counts more than what the file says.
 void give_way(study::Definition& definition, const study::Dimension& given) {
@@ -80,51 +76,17 @@ std::string results_of(const study::Definition& definition) {
   return beside.empty() ? "" : beside + ".runs";
 }
 
-// One mission clock for all runs, also for those of a batch that is resumed.
-bool settle_clock(study::Definition& definition, const std::string& results, bool resumes) {
-  if (definition.start_time.empty() && resumes && !results.empty())
-    definition.start_time = study::ResultsFile::kept_word(results, "start-time").value_or("");
-  const auto clock = definition.start_time.empty() ? wall_clock() : parse_start_time(definition.start_time);
-  if (!clock) {
-    wrong_usage(fmt::format("start-time {}: expected YYYY-MM-DD HH:MM or YYYY-MM-DD HH:MM:SS",
-                            definition.start_time));
-    return false;
+// As it is printed; nothing where it is no time, which is told.
+bool read_start_time(study::Definition& definition) {
+  if (definition.start_time.empty()) return true;
+  const auto clock = parse_start_time(definition.start_time);
+  if (clock) {
+    definition.start_time = print(*clock);
+    return true;
   }
-  definition.start_time = print(*clock);
-  return true;
-}
-
-// What is written can be, and is nothing that is read.
-bool outputs_are_usable(const study::Definition& definition, const std::string& study_file,
-                        const std::string& results) {
-  const std::pair<const char*, std::string> outputs[] = {
-      {"--table", definition.table}, {"--html", definition.page}, {"--results", results}};
-  const std::pair<const char*, std::string> inputs[] = {
-      {"mission", definition.mission.text},
-      {"mission of --against", definition.against.text},
-      {"file of --environment", definition.environment.text},
-      {"definition", study_file}};
-  std::vector<std::string> seen;
-  for (const auto& [option, file] : outputs) {
-    if (file.empty()) continue;
-    for (const auto& [what, input] : inputs) {
-      std::error_code unreadable;
-      if (input.empty() || !fs::equivalent(file, input, unreadable)) continue;
-      wrong_usage(
-          fmt::format("{} {}: that is the {} itself, which would be overwritten", option, file, what));
-      return false;
-    }
-    if (std::ranges::find(seen, file) != seen.end()) {
-      wrong_usage(fmt::format("{} {}: another file goes there as well", option, file));
-      return false;
-    }
-    if (!is_writable(file)) {
-      wrong_usage(fmt::format("{} {}: the file can't be written", option, file));
-      return false;
-    }
-    seen.push_back(file);
-  }
-  return true;
+  wrong_batch_usage(
+      fmt::format("start-time {}: expected YYYY-MM-DD HH:MM or YYYY-MM-DD HH:MM:SS", definition.start_time));
+  return false;
 }
 
 std::string text_of(const std::vector<study::Dimension>& dimensions) {
@@ -138,8 +100,8 @@ std::string text_of(const std::vector<study::Dimension>& dimensions) {
   return out;
 }
 
-// All that its runs hang on.
-study::Identity identity_of(const study::Definition& d, std::uint64_t texts) {
+// All that its runs hang on, but for what is read.
+study::Identity identity_of(const study::Definition& d) {
   const auto optional = [](const std::optional<double>& value) {
     return value ? study::shortest(*value) : "";
   };
@@ -156,8 +118,12 @@ study::Identity identity_of(const study::Definition& d, std::uint64_t texts) {
           {"patience", study::shortest(d.patience)},
           {"limit", optional(d.limit)},
           {"for", optional(d.duration)},
-          {"environment", d.environment.text},
-          {"texts", fmt::format("{:016x}", texts)}};
+          {"environment", d.environment.text}};
+}
+study::Identity identity_of(const study::Definition& d, std::uint64_t texts) {
+  study::Identity out = identity_of(d);
+  out.emplace_back("texts", fmt::format("{:016x}", texts));
+  return out;
 }
 
 cell::Permission permission_of(const BatchOptions& options, const study::Definition& definition) {
@@ -166,30 +132,6 @@ cell::Permission permission_of(const BatchOptions& options, const study::Definit
   run.no_cell = options.no_cell;
   return permission_to_run(run, cell::Grounds::People::kHere,
                            fs::path(definition.mission.text).parent_path().string());
-}
-
-bool deliver_file(const char* what, const std::string& file, const std::string& text) {
-  if (write_file(file, text)) {
-    fmt::print("{}: {}\n", what, file);
-    return true;
-  }
-  fmt::print(stderr, "mlab batch: the {} {} could not be written\n", what, file);
-  return false;
-}
-
-bool deliver_all(const study::Batch& batch, const study::Summary& summary,
-                 const study::Definition& definition, const study::Plan& plan, const std::string& title) {
-  bool is_whole = true;
-  if (!definition.table.empty()) {
-    const bool is_json = fs::path(definition.table).extension() == ".json";
-    is_whole &= deliver_file("table", definition.table,
-                             is_json ? study::json_of(batch, summary, definition, plan, kVersion)
-                                     : study::csv_of(batch, definition, plan));
-  }
-  if (!definition.page.empty())
-    is_whole &= deliver_file("page", definition.page,
-                             study::page_of(batch, summary, definition, plan, {title, kVersion}));
-  return is_whole;
 }
 
 // The runs themselves, and what is told meanwhile.
@@ -214,56 +156,153 @@ int tell_unfinished(study::Batch::End end, const std::string& results, const stu
   return kFailed;
 }
 
-int run_batch(const BatchOptions& options, const study::Definition& definition, const std::string& results) {
+/// A batch that this process has a part in.
+struct Part {
+  study::Share share;
+  std::string results;                           // empty: nothing is kept
+  std::unique_ptr<study::SharedResults> shared;  // null: alone
+  std::unique_ptr<study::ResultsFile> own;       // null: shared, or nothing is kept
+  std::vector<study::Row> before;
+
+  study::Keeper* keeper() const { return shared ? static_cast<study::Keeper*>(shared.get()) : own.get(); }
+};
+
+// Where runs are kept, once all is known that they hang on. @return  false: it can't be, which is told
+bool open_results(Part& part, const study::Identity& identity, bool resumes) {
+  if (part.shared) {
+    const auto problem = part.shared->begin(identity);
+    if (problem) wrong_batch_usage(fmt::format("{} {}", part.results, *problem));
+    return !problem;
+  }
+  if (part.results.empty()) return true;
+  auto opened = study::ResultsFile::open(part.results, identity, resumes);
+  if (!opened) {
+    wrong_batch_usage(fmt::format("{} {}", part.results, opened.error()));
+    return false;
+  }
+  part.own = std::move(opened->file);
+  part.before = std::move(opened->rows);
+  return true;
+}
+
+// Several processes have done all runs, and this one is not to write.
+int leave_to_others(const BatchOptions& options, const Part& part, std::uint64_t runs) {
+  if (part.share.count > 1 && part.share.rank == 0 && !part.share.writes_table && !options.quiet)
+    fmt::print("all {} are done; --merge writes the table and the page\n", base::counted(runs, "run"));
+  return kDone;
+}
+
+int tell_missing(const study::Progress& progress) {
+  fmt::print(
+      stderr,
+      "mlab batch: of {} runs {} are done: --merge writes the table once all are; --resume, in its place, "
+      "does the rest\n",
+      progress.all, progress.done);
+  return kFailed;
+}
+
+int conclude(const BatchOptions& options, const study::Definition& definition, const study::Plan& plan,
+             const study::Batch& batch, const Scenes& scenes, Part& part, double seconds) {
+  const std::string& title = scenes.all.front()->mission_name();
+  study::Summary summary = study::summary_of(batch, definition, plan);
+  const study::FailureRecordings recordings = deliver_recordings(batch, summary, definition, plan, scenes);
+  if (!options.quiet) print_summary(summary, definition, plan, title, seconds);
+  print_verdicts(summary);
+  if (!deliver_all(batch, summary, recordings, definition, plan, title)) return kFailed;
+  // It was for who would have had to go on.
+  if (part.own && definition.results.empty()) part.own->finish();
+  if (part.shared) part.shared->finish(!definition.results.empty());
+  return summary.are_all_met() ? kDone : kFailed;
+}
+
+// What is only a warning is said by one of several processes.
+void tell_of(const text::Diagnostics& sink, const Part& part) {
+  if (part.share.rank == 0 || sink.has_errors()) tell(sink);
+}
+
+int run_batch(const BatchOptions& options, const study::Definition& definition, Part& part) {
   const study::Plan plan(definition);
   text::Diagnostics sink;
   const Scenes scenes = scenes_of(definition, plan, permission_of(options, definition), options.limits, sink);
-  tell(sink);
+  tell_of(sink, part);
   if (scenes.all.empty()) return kBadInput;
   if (options.strict && sink.warning_count() > 0) {
     fmt::print(stderr, "mlab batch: not run, because of {} and --strict\n",
                base::counted(sink.warning_count(), "warning"));
     return kFailed;
   }
-  std::unique_ptr<study::ResultsFile> kept;
-  std::vector<study::Row> before;
-  if (!results.empty()) {
-    auto opened = study::ResultsFile::open(results, identity_of(definition, scenes.texts), options.resumes);
-    if (!opened) return wrong_usage(fmt::format("{} {}", results, opened.error()));
-    kept = std::move(opened->file);
-    before = std::move(opened->rows);
-  }
-  study::Batch batch(definition, plan, scenes.all, kept.get());
-  batch.take(std::move(before));
+  if (!open_results(part, identity_of(definition, scenes.texts), options.resumes || options.merges))
+    return kBadInput;
+  study::Batch batch(definition, plan, scenes.all, part.keeper(), part.share);
+  batch.take(std::move(part.before));
   const double began = steady_seconds();
-  const study::Batch::End end = carry_out(batch, options);
-  if (end != study::Batch::End::kDone) return tell_unfinished(end, results, batch.progress());
-  const study::Summary summary = study::summary_of(batch, definition, plan);
-  if (!options.quiet)
-    print_summary(summary, definition, plan, scenes.all.front()->mission_name(), steady_seconds() - began);
-  print_verdicts(summary);
-  if (!deliver_all(batch, summary, definition, plan, scenes.all.front()->mission_name())) return kFailed;
-  // It was for who would have had to go on.
-  std::error_code failure;
-  if (kept && definition.results.empty()) fs::remove(results, failure);
-  return summary.are_all_met() ? kDone : kFailed;
+  using End = study::Batch::End;
+  if (options.merges) {
+    if (!batch.is_complete()) return tell_missing(batch.progress());
+  } else if (const End end = carry_out(batch, options); end == End::kOver) {
+    return kDone;
+  } else if (end != End::kDone) {
+    return tell_unfinished(end, part.results, batch.progress());
+  }
+  if (!part.share.writes_table) return leave_to_others(options, part, batch.progress().done);
+  return conclude(options, definition, plan, batch, scenes, part, steady_seconds() - began);
+}
+
+// One mission clock for all runs, also for those of a batch that is resumed, and of all processes that do it.
+// @return  nothing: go on; else the exit status, and why was told
+std::optional<int> settle_clock(study::Definition& definition, Part& part, bool resumes) {
+  const std::string now = print(wall_clock());
+  if (part.share.is_alone()) {
+    if (definition.start_time.empty() && resumes && !part.results.empty())
+      definition.start_time = study::ResultsFile::kept_word(part.results, "start-time").value_or("");
+    if (definition.start_time.empty()) definition.start_time = now;
+    return std::nullopt;
+  }
+  auto joined = study::SharedResults::join(part.results, identity_of(definition), now, part.share, resumes);
+  if (!joined) return wrong_batch_usage(fmt::format("{} {}", part.results, joined.error()));
+  if (!joined->results) {
+    if (part.share.rank == 0)
+      fmt::print(stderr, "mlab batch: this batch is done; to do it again, remove {}\n", part.results);
+    return kDone;
+  }
+  part.shared = std::move(joined->results);
+  definition.start_time = joined->start_time;
+  return std::nullopt;
+}
+
+std::optional<study::Share> share_of(const BatchOptions& options) {
+  if (options.merges) return study::Share{};
+  return options.rank.empty() ? share_from(environment()) : share_in(options.rank);
 }
 
 }  // namespace
 
-int batch(const BatchOptions& options) {
+int batch(const BatchOptions& given) {
+  BatchOptions options = given;
   if (is_standard_input(options.file))
-    return wrong_usage("standard input can't be read again and again: expected a file");
+    return wrong_batch_usage("standard input can't be read again and again: expected a file");
+  Part part;
+  const auto share = share_of(options);
+  if (!share)
+    return wrong_batch_usage(fmt::format("--rank {}: expected 0/3, 1/3, 2/3, or none", options.rank));
+  part.share = *share;
+  options.quiet = options.quiet || part.share.rank > 0;
   std::optional<study::Definition> definition = definition_of(options);
-  if (!definition) return kBadInput;
-  const std::string results = results_of(*definition);
-  if (options.resumes && results.empty())
-    return wrong_usage("--resume: which batch? It is kept beside --table or --html, or in --results");
+  if (!definition || !read_start_time(*definition)) return kBadInput;
+  part.results = results_of(*definition);
+  const bool resumes = options.resumes || options.merges;
+  if (part.results.empty() && resumes)
+    return wrong_batch_usage(
+        "--resume, --merge: which batch? It is kept beside --table or --html, or in --results");
+  if (part.results.empty() && !part.share.is_alone())
+    return wrong_batch_usage(fmt::format(
+        "this is one of {} processes: they share what they have done beside --table or --html, or in "
+        "--results; with --rank none each does all",
+        part.share.count));
   const std::string study_file = study::is_study_file(options.file) ? options.file : "";
-  if (!settle_clock(*definition, results, options.resumes) ||
-      !outputs_are_usable(*definition, study_file, results))
-    return kBadInput;
-  return run_batch(options, *definition, results);
+  if (!outputs_are_usable(*definition, study_file, part.results)) return kBadInput;
+  if (const auto status = settle_clock(*definition, part, resumes)) return *status;
+  return run_batch(options, *definition, part);
 }
 
 }  // namespace mlab::cli

@@ -32,6 +32,8 @@
 #include "mlab/cli/other_language.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/permission.h"
+#include "mlab/cli/recorded_run.h"
+#include "mlab/cli/resumable.h"
 #include "mlab/cli/run_settings.h"
 #include "mlab/cli/runs_folder.h"
 #include "mlab/cli/terminal.h"
@@ -46,6 +48,7 @@
 #include "mlab/documents/state_folder.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/metrics/process.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cli {
@@ -204,7 +207,10 @@ class KeepingTold {
 void show_start(const console::Server& server, const RunOptions& options, const Look& look, bool was_opened,
                 bool is_kept) {
   const std::vector<std::string> urls = server.urls(options.edits ? "designer.html" : "");
-  if (options.edits)
+  if (!options.recording.empty())
+    fmt::print("The recorded run {}{}: nothing that is done there changes it.\n", options.recording,
+               options.edits ? " on the drawing of " + options.configuration : "");
+  else if (options.edits)
     fmt::print("The designer{}.\n", options.configuration.empty() ? "" : " for " + options.configuration);
   else if (options.mission.empty())
     fmt::print("The operator console, without a mission: open one or write one there.\n");
@@ -217,7 +223,10 @@ void show_start(const console::Server& server, const RunOptions& options, const 
   fmt::print("{} in a browser:\n\n", was_opened ? "It opens" : "Open this address");
   for (const std::string& url : urls) fmt::print("    {}\n", url);
   fmt::print("\nCtrl-C here ends {}; what is not saved is {}.\n",
-             options.edits ? "the designer" : "the run and the console", is_kept ? "kept" : "lost then");
+             options.edits               ? "the designer"
+             : options.recording.empty() ? "the run and the console"
+                                         : "the console",
+             is_kept ? "kept" : "lost then");
   std::fflush(stdout);
   if (!server.is_loopback() && !server.is_encrypted()) {
     fmt::print(
@@ -301,6 +310,10 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
         return console::Content{std::move(picture.content_type), std::move(picture.bytes)};
       },
       [&] { return session.report(); },
+      [&](metrics::Exposition& out) {
+        session.tell_metrics(out);
+        metrics::tell_process(out);
+      },
   };
   server.start(std::move(handlers));
   Browser browser;
@@ -336,11 +349,27 @@ void tell_place(const documents::DraftPlace& place) {
         text::shown(path, 200));
 }
 
-}  // namespace
+// The recording that another one is shown beside.
+// @return  the exit status where it can't be
+std::optional<int> open_against(const std::string& path, console::OpenRecording& out) {
+  out = {fs::path(path).stem().string(), read_history(path)};
+  if (!out.history) return kBadInput;
+  const std::string why = out.history->why_not_recomputed();
+  if (why.empty()) return std::nullopt;
+  fmt::print(stderr,
+             "mlab: --against: {} can't be shown at any moment: {}; `mlab compare` tells the two apart\n",
+             text::shown(path, 200), why);
+  return kFailed;
+}
 
-int run_console(const RunOptions& options) {
+int run_console(const RunOptions& options, const std::string& journal) {
   if (!options.plot.empty() || options.limit || options.duration || options.quiet)
     return usage_error("--plot, --limit, --for and --quiet go with --headless");
+  if (options.records_for_viewers)
+    return usage_error(
+        "--record-for viewers counts with --headless; of a run of the console, `mlab replay RUN.mcap "
+        "--record "
+        "OUT.mcap --record-for viewers` makes one");
   if (!options.percepts.empty() || !options.save_percepts.empty())
     return usage_error("--percepts and --save-percepts go with --headless");
   if (is_standard_input(options.mission)) return usage_error("-, standard input, goes with --headless");
@@ -352,8 +381,24 @@ int run_console(const RunOptions& options) {
   const Look look = look_at(options, manner->settings);
   if (!look.is_readable || !look.is_usable) return kBadInput;
   console::SessionSettings settings = session_settings(options, std::move(*manner));
+  if (!options.recording.empty()) {
+    settings.recording = {fs::path(options.recording).stem().string(), read_history(options.recording),
+                          options.recording};
+    if (!settings.recording.history) return kBadInput;
+    if (const std::string why = settings.recording.history->why_not_recomputed(); !why.empty())
+      fmt::print(stderr, "mlab: warning: the run can't be computed again: {}; what was recorded is shown\n",
+                 why);
+  }
+  if (!options.against.empty()) {
+    const std::optional<int> failed = open_against(options.against, settings.against);
+    if (failed) return *failed;
+  }
   const std::string project = documents::ProjectFolder({settings.project_folder, ""}).folder();
-  settings.record = record_settings(options, project);
+  if (options.recording.empty()) {
+    settings.record = record_settings(options, project);
+    settings.journal_folder = journal_folder(project);
+    settings.resume = journal;
+  }
   const KeptAddress kept(settings.state_folder, project, options.edits ? "edit" : "run");
   const documents::DraftPlace place(settings.state_folder, project, {"", "designer"});
   settings.state_folder = place.state_folder();
@@ -367,8 +412,29 @@ int run_console(const RunOptions& options) {
     fmt::print(stderr, "mlab: warning: a page that is left open will not find the next server: {}\n", why);
   const auto people =
       server->is_loopback() ? cell::Grounds::People::kHere : cell::Grounds::People::kElsewhere;
-  settings.permission = permission_to_run(options, people, settings.project_folder);
+  // What a recording brings may be a stranger's.
+  settings.permission = options.recording.empty()
+                            ? permission_to_run(options, people, settings.project_folder)
+                            : permission_to_replay();
   return serve(options, std::move(settings), look, *server);
+}
+
+// The mission and its project are the run's.
+int resume_run(RunOptions options) {
+  const auto found = find_resumable(options);
+  if (!found) return usage_error("--resume: " + found.error());
+  options.project = found->stand.session.project();
+  options.mission = mission_file(*found);
+  fmt::print("{} goes on as it stood at {:.1f} s, paused.\n", text::shown(found->stand.session.mission()),
+             found->stand.progress.time());
+  return run_console(options, found->path);
+}
+
+}  // namespace
+
+int run_console(const RunOptions& options) {
+  if (options.resume) return resume_run(options);
+  return run_console(options, "");
 }
 
 int edit(RunOptions options) {

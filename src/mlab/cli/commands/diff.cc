@@ -166,7 +166,7 @@ void print(const Comparison& comparison, const DiffOptions& options) {
 
 // ---- for programs
 
-Json place_json(const text::Place& place) {
+Json position_json(const text::Place& place) {
   if (!place.source) return nullptr;
   const text::LineColumn at = place.source->line_column(place.span.begin);
   return {{"line", at.line}, {"column", at.column}};
@@ -183,7 +183,7 @@ Json difference_json(const Difference& one) {
   if (one.index_before >= 0 || one.index_after >= 0)
     out["index"] = {{"before", one.index_before < 0 ? Json(nullptr) : Json(one.index_before)},
                     {"after", one.index_after < 0 ? Json(nullptr) : Json(one.index_after)}};
-  out["place"] = {{"before", place_json(one.place_before)}, {"after", place_json(one.place_after)}};
+  out["place"] = {{"before", position_json(one.place_before)}, {"after", position_json(one.place_after)}};
   out["details"] = Json::array();
   for (const difference::Detail& detail : one.details)
     out["details"].push_back(

@@ -24,12 +24,12 @@
 #include "mlab/cli/permission.h"
 #include "mlab/cli/plot.h"
 #include "mlab/cli/run_bodies.h"
+#include "mlab/cli/run_recording.h"
 #include "mlab/cli/run_screen.h"
 #include "mlab/cli/run_settings.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/terminal_operator.h"
 #include "mlab/cli/version.h"
-#include "mlab/history/recorder.h"
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/run/mission_run.h"
@@ -50,9 +50,9 @@ struct Prepared {
   std::unique_ptr<run::MissionRun> run;
   MissionClock clock;
   double speed = 0.0;
-  std::shared_ptr<run::StopLine> stop_line;     // null: there is none
-  text::Diagnostics warnings;                   // of loading
-  std::unique_ptr<history::Recorder> recorder;  // null: the run is not recorded
+  std::shared_ptr<run::StopLine> stop_line;  // null: there is none
+  text::Diagnostics warnings;                // of loading
+  std::unique_ptr<RunRecording> recording;   // null: the run is not recorded
 };
 
 std::shared_ptr<const mission::Mission> load(const RunOptions& options, const robot::ProgramSources& sources,
@@ -108,28 +108,10 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
 
 void start_recording(const RunOptions& options, Prepared& prepared) {
   if (options.record.empty()) return;
-  prepared.recorder = std::make_unique<history::Recorder>(
-      [file = options.record] { return file; }, *prepared.run,
-      history::Circumstances{kVersion, overlay_folders(), options.seed, wall_clock().epoch_seconds});
-}
-
-void note_progress(history::Recorder& recorder, run::MissionRun::Progress progress) {
-  if (progress == run::MissionRun::Progress::kStepped)
-    recorder.note_cycle();
-  else
-    recorder.note_rest();
-}
-
-// @return  false: the recording is not whole, which is told
-bool end_recording(Prepared& prepared, const std::string& outcome) {
-  if (!prepared.recorder) return true;
-  prepared.recorder->end(outcome);
-  if (prepared.recorder->problem().empty()) {
-    fmt::print("recording: {}\n", prepared.recorder->path());
-    return true;
-  }
-  fmt::print(stderr, "mlab run: the recording is not whole: {}\n", prepared.recorder->problem());
-  return false;
+  prepared.recording = std::make_unique<RunRecording>(
+      options.record, *prepared.run,
+      history::Circumstances{kVersion, overlay_folders(), options.seed, wall_clock().epoch_seconds},
+      options.records_for_viewers ? options.viewer_rate : 0.0);
 }
 
 /// Follows the emergency stop that the run shares with its fleet.
@@ -209,7 +191,7 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
     }
     stop.follow();
     const run::MissionRun::Progress progress = run.step();
-    if (prepared.recorder) note_progress(*prepared.recorder, progress);
+    if (prepared.recording) prepared.recording->note(progress);
     if (run.is_stopped()) {
       const double before = steady_seconds();
       if (progress == run::MissionRun::Progress::kWaits) pass_time(0.05);
@@ -250,6 +232,8 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
 int run(const RunOptions& options) {
   if (const std::string why = other_language(options.mission, {assist::Language::kMission}); !why.empty())
     return usage_error(why);
+  if (options.headless && options.resume)
+    return usage_error("--resume goes on with a run of the console, so without --headless");
   if (!options.headless) return settings_of(options) ? run_console(options) : kBadInput;
   if (options.mission.empty()) return usage_error("--headless: expected a mission file (.mdl)");
   int status = kDone;
@@ -263,7 +247,7 @@ int run(const RunOptions& options) {
   run.set_observer([&](const mission::Effect& effect) {
     screen.show(run, effect);
     person.see(effect);
-    if (prepared->recorder) prepared->recorder->see(effect);
+    if (prepared->recording) prepared->recording->see(effect);
   });
   run.set_meanwhile(was_interrupted);
   note_interrupts();
@@ -285,7 +269,7 @@ int run(const RunOptions& options) {
   screen.show_summary(run, outcome, performance.wall_seconds);
   screen.show_warnings(prepared->warnings);
   const bool is_as_recorded = prepared->bodies.conclude();
-  const bool is_recorded = end_recording(*prepared, outcome);
+  const bool is_recorded = !prepared->recording || prepared->recording->end("mlab run", outcome);
   if (!options.report.empty() && !deliver("report", options.report, run::report_json(run, performance, end)))
     return kFailed;
   if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;

@@ -12,39 +12,17 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "mlab/cli/commands.h"
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/recorded_run.h"
 #include "mlab/flow/program.h"
 #include "mlab/text/escape.h"
+#include "mlab/text/wildcard.h"
 
 namespace mlab::cli {
 namespace {
-
-// In which `*` stands for any number of characters. Takes time in proportion to both lengths.
-bool matches(std::string_view path, std::string_view pattern) {
-  std::size_t at = 0;
-  std::size_t in_pattern = 0;
-  std::size_t star = std::string_view::npos;
-  std::size_t after_star = 0;
-  while (at < path.size()) {
-    if (in_pattern < pattern.size() && pattern[in_pattern] == '*') {
-      star = in_pattern++;
-      after_star = at;
-    } else if (in_pattern < pattern.size() && pattern[in_pattern] == path[at]) {
-      ++in_pattern;
-      ++at;
-    } else if (star != std::string_view::npos) {
-      in_pattern = star + 1;
-      at = ++after_star;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', in_pattern) == std::string_view::npos;
-}
 
 // Of a value that has several numbers, each is a column.
 std::span<const std::string_view> parts_of(const flow::Port& port) {
@@ -104,7 +82,7 @@ class Columns {
   bool is_wanted(const flow::Port& port, const std::string& name) const {
     if (options_.ports.empty()) return port.role == flow::Port::Role::kOutput;
     return std::ranges::any_of(options_.ports, [&](const std::string& pattern) {
-      return matches(port.path, pattern) || matches(name, pattern);
+      return text::matches(port.path, pattern) || text::matches(name, pattern);
     });
   }
 
@@ -128,6 +106,23 @@ void print_rows(const run::MissionRun& run, const Columns& columns, const TraceO
   }
 }
 
+// Of programs that the recording knows by their answers alone no port can be told.
+void tell_of_closed(const run::MissionRun& run, const TraceOptions& options) {
+  std::vector<std::string> closed;
+  for (const fleet::FleetRobot& robot : run.fleet().robots()) {
+    const bool is_named =
+        options.robots.empty() || std::ranges::find(options.robots, robot.id.value) != options.robots.end();
+    if (is_named && robot.runner != nullptr && !robot.workings())
+      closed.push_back(fmt::format("{}", robot.id.value));
+  }
+  if (closed.empty()) return;
+  fmt::print(stderr,
+             "mlab trace: of robots {} only what their programs answered is recorded, since these are in "
+             "executables "
+             "or were elsewhere in real time; none of their ports can be told\n",
+             fmt::join(closed, ", "));
+}
+
 // @return  false: what the options name is not there, which is told
 bool find_columns(const run::MissionRun& run, const TraceOptions& options, Columns& columns) {
   for (const std::uint32_t id : options.robots) {
@@ -135,6 +130,7 @@ bool find_columns(const run::MissionRun& run, const TraceOptions& options, Colum
     fmt::print(stderr, "mlab trace: --robot {}: there is no such robot when the run begins\n", id);
     return false;
   }
+  tell_of_closed(run, options);
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     if (is_wanted(robot, options)) columns.add(*robot.workings().program, true);
   }
@@ -145,11 +141,31 @@ bool find_columns(const run::MissionRun& run, const TraceOptions& options, Colum
   return false;
 }
 
+// Of a run that can't be computed again: where robots were, as it was recorded.
+void print_recorded(const history::History& history, const TraceOptions& options) {
+  fmt::print(stderr, "mlab trace: only where robots were is recorded, once a second; no port can be told\n");
+  fmt::print("cycle,time,robot,x,y,heading\n");
+  for (const history::PosesEntry& entry : history.poses()) {
+    if (entry.time < options.from || (options.to && entry.time > *options.to)) continue;
+    for (int i = 0; i < entry.poses.robots_size(); ++i) {
+      const std::uint32_t robot = entry.poses.robots(i);
+      if (!options.robots.empty() && std::ranges::find(options.robots, robot) == options.robots.end())
+        continue;
+      fmt::print("{},{},{},{},{},{}\n", entry.cycle, entry.time, robot, entry.poses.x(i), entry.poses.y(i),
+                 entry.poses.heading(i));
+    }
+  }
+}
+
 }  // namespace
 
 int trace(const TraceOptions& options) {
   const RecordedRun recorded = open_recording(options.replay);
-  if (!recorded.replay) return kBadInput;
+  if (!recorded.history) return kBadInput;
+  if (!recorded.replay) {
+    print_recorded(*recorded.history, options);
+    return kFailed;
+  }
   run::MissionRun& run = recorded.replay->run();
   Columns columns(options);
   if (!find_columns(run, options, columns)) return kBadInput;

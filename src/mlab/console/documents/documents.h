@@ -44,6 +44,9 @@ class OpenDocuments {
 
   // ---- which mission
 
+  /// For missions that do not SET SEED, from the next one that is opened on.
+  void set_seed(std::uint64_t seed) { options_.seed = seed; }
+
   /// Opens a mission and its overlays, and begins the log of edits anew. Unsaved texts of the mission before
   /// stay as drafts. Drafts of the opened ones are put in as the first edit, so that undoing gives what
   /// stands on disk. A mission with errors is opened, too: then `mission()` is null.

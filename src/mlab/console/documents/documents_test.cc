@@ -16,7 +16,7 @@
 namespace mlab::console {
 namespace {
 
-constexpr const char* kMission =
+constexpr const char* kPlan =
     "MISSION NAME \"m\"\nOVERLAY m.odl\nUNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n 0. UNIT u START AA-AA1\n 1. "
     "UNIT u "
     "MOVETO PP-Charlie\n";
@@ -27,7 +27,7 @@ constexpr const char* kOverlay =
 class DocumentsOfAMission : public ::testing::Test {
  protected:
   DocumentsOfAMission() {
-    scratch.write("project/m.mdl", kMission);
+    scratch.write("project/m.mdl", kPlan);
     scratch.write("project/m.odl", kOverlay);
   }
 
@@ -174,7 +174,7 @@ TEST_F(DocumentsOfAMission, ChangeWithTheMapAndBackAgain) {
   EXPECT_TRUE(text(open, "m.mdl").contains("MOVETO PP-Delta"));
   EXPECT_EQ(open.edit_state().undo(), "rename Charlie");
   ASSERT_TRUE(open.undo());
-  EXPECT_EQ(text(open, "m.mdl"), kMission);
+  EXPECT_EQ(text(open, "m.mdl"), kPlan);
   EXPECT_EQ(text(open, "m.odl"), kOverlay);
   ASSERT_TRUE(open.redo());
   EXPECT_EQ(open.scene().measures(2).name(), "New");
@@ -283,7 +283,7 @@ RC_GTEST_FIXTURE_PROP(DocumentsOfAMission, ComeBackByteForByteWhateverWasEdited,
   const int other_last = other;
   while (open.undo()) {
   }
-  RC_ASSERT(text(open, "m.mdl") == kMission);
+  RC_ASSERT(text(open, "m.mdl") == kPlan);
   RC_ASSERT(text(open, "m.odl") == kOverlay);
   RC_ASSERT(open.documents().size() == 2U);
   RC_ASSERT(other == 0);
@@ -379,11 +379,11 @@ TEST_F(DocumentsOfAMission, AreWrittenOverTheDiskOnlyWhereThatIsWanted) {
 }
 
 TEST_F(DocumentsOfAMission, KeepTheLineEndsOfTheirFiles) {
-  scratch.write("project/m.mdl", mlab::text::lines_as_in("\r\n", kMission));
+  scratch.write("project/m.mdl", mlab::text::lines_as_in("\r\n", kPlan));
   documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));
-  EXPECT_EQ(text(open, "m.mdl"), kMission);
+  EXPECT_EQ(text(open, "m.mdl"), kPlan);
   EXPECT_FALSE(open.documents_message().documents(0).is_dirty());
   ASSERT_TRUE(change(open, "m.mdl", "\"m\"", "\"n\""));
   ASSERT_TRUE(open.save({}));
@@ -409,7 +409,7 @@ TEST_F(DocumentsOfAMission, NeverOverwriteWhatSomebodyElseWrote) {
 }
 
 TEST_F(DocumentsOfAMission, OfAnExampleAreSavedIntoTheProjectWithTheirOverlay) {
-  scratch.write("examples/demo/d.mdl", kMission);
+  scratch.write("examples/demo/d.mdl", kPlan);
   scratch.write("examples/demo/m.odl", kOverlay);
   documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
@@ -561,7 +561,7 @@ TEST_F(DocumentsOfAMission, InLatin1AreReadAndSavedAsUtf8) {
 }
 
 TEST_F(DocumentsOfAMission, TellRecentOnesAndExamples) {
-  scratch.write("examples/demo/d.mdl", kMission);
+  scratch.write("examples/demo/d.mdl", kPlan);
   documents::ProjectFolder project = folder();
   OpenDocuments open(project, {}, state());
   ASSERT_TRUE(open.open("m.mdl", 0.0));

@@ -5,6 +5,7 @@
 namespace mlab::console {
 
 void Channel::watch(const Watch& wanted) {
+  ++watch_number_;
   constexpr double kDefaultRate = 30.0;
   watch_ = wanted;
   const auto cut = [](auto& list, std::size_t most) {

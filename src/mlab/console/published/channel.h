@@ -25,6 +25,8 @@ class Channel {
   const Watch& watched() const { return watch_; }
   /// Replaces what it watched. Lists that are too long are cut.
   void watch(const Watch& wanted);
+  /// How often that was replaced.
+  std::uint64_t watch_number() const { return watch_number_; }
 
   /// It has drawn all frames but one.
   bool has_room() const { return under_way_.size() < kMostUnderWay; }
@@ -36,6 +38,7 @@ class Channel {
   std::uint64_t begin_frame(double wall);
   void acknowledge(std::uint64_t frame);
 
+  bool looks_back = false;        ///< at another moment than now: what becomes of the run is not told to it
   std::uint64_t beat = 0;         ///< number of the browser's last one
   std::uint64_t seen = 0;         ///< version of the world in its last frame
   std::uint64_t status_seen = 0;  ///< number of the last status that it was told
@@ -48,6 +51,7 @@ class Channel {
  private:
   ConnectionId connection_;
   Watch watch_;
+  std::uint64_t watch_number_ = 0;
   double interval_ = 1.0 / 30.0;  // between frames [s]
   double next_ = 0.0;
   std::uint64_t last_frame_ = 0;

@@ -77,7 +77,12 @@ std::uint32_t RobotRows::encode(const std::optional<Box>& view, std::string& rob
   return left_out;
 }
 
-void encode_starts(run::MissionRun& run, std::string& out) {
+std::size_t count_not_started(const run::MissionRun& run) {
+  return static_cast<std::size_t>(
+      std::ranges::count(run.fleet().robots(), RobotLife::kNotStarted, &FleetRobot::life));
+}
+
+void encode_starts(const run::MissionRun& run, std::string& out) {
   for (const run::PlannedStart& start : run.planned_starts()) {
     const geom::Pose& pose = start.pose;
     append(out, RobotRows::Row{start.robot.value, static_cast<float>(pose.position.x),

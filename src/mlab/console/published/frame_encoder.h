@@ -44,8 +44,10 @@ class RobotRows {
 /// 65536 is a full turn.
 std::uint16_t packed_heading(double heading);
 
+/// How many robots have not been started.
+std::size_t count_not_started(const run::MissionRun& run);
 /// Robots that have not been started, where they will be, as in Starts.robots.
-void encode_starts(run::MissionRun& run, std::string& out);
+void encode_starts(const run::MissionRun& run, std::string& out);
 /// Stations of all robots in a formation, as in Frame.stations.
 void encode_stations(const run::MissionRun& run, std::string& out);
 /// Wanted velocities of all running robots, as in Frame.vectors.

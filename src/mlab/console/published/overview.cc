@@ -149,6 +149,11 @@ void encode_roster(const run::MissionRun& run, Roster& out) {
     listed.set_name(clean(robot.program->name));
     for (const flow::Port& port : program->ports()) encode_port(*program, port, *listed.add_ports());
   }
+  encode_units(mission, out);
+}
+
+void encode_units(const mission::Mission& mission, Roster& out) {
+  const std::size_t count_units = mission.units.size();
   std::vector<std::int32_t> named(count_units, -1);  // index among the named units
   for (std::size_t i = 0; i < count_units; ++i) {
     if (!mission.units[i].name.empty())

@@ -19,6 +19,9 @@ void encode_plan(const mission::Mission& mission, std::uint64_t revision, const 
 /// @param count_units  so many units are told; later ones were made up for a single robot
 void encode_roster(const run::MissionRun& run, Roster& out);
 
+/// The named units of a mission alone.
+void encode_units(const mission::Mission& mission, Roster& out);
+
 /// A port as a browser shows it.
 void encode_port(const flow::Program& program, const flow::Port& port, Port& out);
 

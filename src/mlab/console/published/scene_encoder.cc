@@ -1,10 +1,15 @@
 #include "mlab/console/published/scene_encoder.h"
 
+#include <algorithm>
+#include <bit>
 #include <cctype>
 #include <filesystem>
+#include <tuple>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include "mlab/base/hash.h"
 #include "mlab/text/utf8.h"
 
 namespace mlab::console {
@@ -148,6 +153,31 @@ Diagnostic encode_diagnostic(const text::Diagnostic& diagnostic, const PlaceOf& 
         at.document.empty() ? note.message : fmt::format("{}: {}:{}", note.message, at.document, at.line)));
   }
   return out;
+}
+
+void add_other_obstacles(const binding::WorldView& world, Scene& scene) {
+  using Round = std::tuple<double, double, double>;
+  std::vector<Round> shown;
+  for (const Obstacle& obstacle : scene.obstacles())
+    shown.emplace_back(obstacle.x(), obstacle.y(), obstacle.radius());
+  std::ranges::sort(shown);
+  for (const binding::Disc& disc : world.discs()) {
+    if (std::ranges::binary_search(shown, Round{disc.center.x, disc.center.y, disc.radius})) continue;
+    Obstacle& extra = *scene.add_obstacles();
+    extra.set_x(disc.center.x);
+    extra.set_y(disc.center.y);
+    extra.set_radius(disc.radius);
+  }
+}
+
+std::uint64_t obstacles_key(const binding::WorldView& world) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  std::uint64_t key = world.discs().size();
+  for (const binding::Disc& disc : world.discs()) {
+    key = base::combine_bits(key, bits(disc.center.x));
+    key = base::combine_bits(key, bits(disc.center.y) ^ bits(disc.radius));
+  }
+  return key;
 }
 
 }  // namespace mlab::console

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/binding/world_view.h"
 #include "mlab/console.pb.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/text/diagnostic.h"
@@ -21,6 +22,11 @@ using PlaceOf = std::function<DocumentPlace(const text::Place&)>;
 /// The map as a message, without its revision. What does not stand in a document by itself (obstacles of
 /// CREATE-OBSTACLES, what waypoint files bring) has none.
 Scene encode_scene(const overlay::Overlay& map, const PlaceOf& place_of);
+
+/// Behind the rest, the obstacles of a world that the scene does not have.
+void add_other_obstacles(const binding::WorldView& world, Scene& scene);
+/// Another number where other round obstacles are in the world.
+std::uint64_t obstacles_key(const binding::WorldView& world);
 
 /// The obstacles of the map in the order in which the scene has them, as indices into `Overlay::obstacles`:
 /// first those that stand in a document.

@@ -18,6 +18,9 @@ Status::Mode mode_of(const run::MissionRun& run);
 void encode_run(const run::MissionRun& run, const Estimates& estimates, Status& out);
 inline constexpr std::size_t kMostSteps = 500;
 
+/// How people want the display to be: options that are on, as MDL names them, and how much is in sight.
+void encode_options(const mission::Options& options, Status& out);
+
 /// Questions that are open, oldest first.
 /// @param asked  when a question was asked [s], by its id
 void encode_questions(const mission::State& state, const std::map<std::uint32_t, double>& asked,

@@ -116,6 +116,17 @@ std::uint32_t BreakpointTable::set(const Breakpoint& wanted, std::string& error)
   return id;
 }
 
+void BreakpointTable::recall(const std::vector<Breakpoint>& earlier) {
+  for (const Breakpoint& one : earlier) {
+    std::optional<double> number;
+    if (one.has_condition()) number = number_of(one.condition().value());
+    if (one.id() == 0 || !problem_with(one, number).empty() || all_.size() >= kMost) continue;
+    last_id_ = std::max(last_id_, one.id());
+    all_[one.id()] = {one, number};
+  }
+  recount();
+}
+
 bool BreakpointTable::remove(std::uint32_t id) {
   if (id != 0 && all_.erase(id) == 0) return false;
   if (id == 0) all_.clear();

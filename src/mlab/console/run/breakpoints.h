@@ -25,6 +25,8 @@ class BreakpointTable {
   /// Id 0: all. False where there is none of that id.
   bool remove(std::uint32_t id);
 
+  /// Those of an earlier session, with their ids.
+  void recall(const std::vector<Breakpoint>& earlier);
   /// Some are switched on; if not, nobody need look.
   bool are_on() const { return count_on_ > 0; }
   /// Another run; null: there is none. It is looked at until the next one begins.

@@ -2,29 +2,21 @@
 
 #include <cstdint>
 #include <expected>
-#include <map>
 #include <memory>
 #include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
-#include "mlab/console/run/alarms.h"
-#include "mlab/console/run/estimates.h"
 #include "mlab/console/run/event_log.h"
-#include "mlab/console/run/series_recorder.h"
-#include "mlab/console/run/trail_recorder.h"
-#include "mlab/console/run/transition_recorder.h"
+#include "mlab/console/run/run_notes.h"
 #include "mlab/history/recorder.h"
 #include "mlab/run/mission_run.h"
 
 namespace mlab::console {
 
-/// A run, and all that is noted of it while it goes on. Nothing here changes how it goes on, so a run with
-/// many people looking is the same as one with nobody.
+/// A run, what is noted of it, and its recording. Nothing here changes how it goes on, so a run with many
+/// people looking is the same as one with nobody.
 class LiveRun {
  public:
-  /// @param log       outlives it
+  /// @param log       outlives it, or `go_on_in` is called before that ends
   /// @param recorder  of this run; null: it is not recorded
   LiveRun(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run, EventLog& log,
           std::unique_ptr<history::Recorder> recorder = nullptr);
@@ -42,50 +34,36 @@ class LiveRun {
 
   /// One control cycle, noted.
   run::MissionRun::Progress step();
+  /// A cycle of a run that somebody else computes again.
+  /// @param is_known  the log had got by then what comes of watching it
+  void note_recomputed_cycle(bool is_known);
+  /// Entries that the run itself has added to the log: whoever computes it again gets the same ones. Without
+  /// alarms, which depend on whom people look at.
+  std::uint64_t told() const { return notes_.told(); }
+  /// From now on, with what has come into it until now recorded in that file (history::Recorder::go_on).
+  void go_on_in(EventLog& log);
+  /// The file; empty: it is not recorded.
+  std::string recording() const { return recorder_ ? recorder_->path() : ""; }
   /// Something was asked of the executive, ever.
   bool was_started() const;
 
-  const Alarms& alarms() const { return alarms_; }
-  Alarms& alarms() { return alarms_; }
-  const TrailRecorder& trails() const { return trails_; }
-  TrailRecorder& trails() { return trails_; }
-  SeriesRecorder& series() { return series_; }
-  const SeriesRecorder& series() const { return series_; }
-  TransitionRecorder& transitions() { return transitions_; }
-  const TransitionRecorder& transitions() const { return transitions_; }
-  const Estimates& estimates() const { return estimates_; }
-  /// When the questions that are open were asked [s], and their texts, by id.
-  const std::map<std::uint32_t, double>& asked() const { return asked_; }
-  const std::map<std::uint32_t, std::string>& question_texts() const { return texts_; }
-  /// As the mission has them and SET has changed them.
-  const mission::Options& options() const { return options_; }
-  /// True where something happened since this was asked last, other than that time passed.
-  bool take_news() { return std::exchange(has_news_, false); }
+  /// What is noted of it.
+  const RunNotes& notes() const { return notes_; }
+  RunNotes& notes() { return notes_; }
+  /// Null: nobody hears of its history.
+  history::Recorder* recorder() { return recorder_.get(); }
+  const history::Recorder* recorder() const { return recorder_.get(); }
 
  private:
-  void see(const mission::Effect& effect);
-  void tell(const mission::effect::Tell& told);
-  void print(bool robot_info);
   void tell_recording();
 
   std::shared_ptr<const run::Crew> crew_;
   std::unique_ptr<run::MissionRun> run_;
-  EventLog& log_;
+  EventLog* log_;
   std::unique_ptr<history::Recorder> recorder_;  // ends before the run
   std::string told_path_;                        // of the recording,
   std::string told_problem_;                     // and what is wrong with it
-  Alarms alarms_;
-  Estimates estimates_;
-  TrailRecorder trails_;
-  SeriesRecorder series_;
-  TransitionRecorder transitions_;
-  std::map<std::uint32_t, double> asked_;
-  std::map<std::uint32_t, std::string> texts_;
-  mission::Options options_;
-  bool has_news_ = true;
+  RunNotes notes_;
 };
-
-/// Display options that are on, as MDL names them.
-std::vector<std::string> options_on(const mission::Options& options);
 
 }  // namespace mlab::console

@@ -125,21 +125,21 @@ TEST(TransitionRecorder, KnowsNothingOfAProgramThatIsGone) {
   auto run = simulated::make_run(first, {});
   EventLog log;
   LiveRun live(std::exchange(first, nullptr), std::move(run), log);
-  live.transitions().watch(std::vector<std::uint32_t>{1});
+  live.notes().transitions().watch(std::vector<std::uint32_t>{1});
   live.run().post(mission::event::Execute{});
   const auto told = [&] {
     RobotDetail out;
-    live.transitions().encode(1, out);
+    live.notes().transitions().encode(1, out);
     return out.transitions_size();
   };
   for (int i = 0; i < 5000 && told() == 0; ++i) live.step();
   ASSERT_GT(told(), 0) << "no wolf came near";
   ASSERT_TRUE(live.take_over(crew()));
   EXPECT_EQ(told(), 0);
-  EXPECT_TRUE(live.transitions().before(1).empty());
+  EXPECT_TRUE(live.notes().transitions().before(1).empty());
   // From then on it is looked at again.
   live.step();
-  EXPECT_FALSE(live.transitions().before(1).empty());
+  EXPECT_FALSE(live.notes().transitions().before(1).empty());
 }
 
 }  // namespace

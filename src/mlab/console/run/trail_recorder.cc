@@ -57,12 +57,14 @@ void TrailRecorder::clear() {
   count_ = 0;
 }
 
-void TrailRecorder::encode(Trails& out) const {
+void TrailRecorder::encode(Trails& out, double until) const {
   for (const Trail& trail : trails_) {
-    if (trail.points.empty()) continue;
+    const auto end = std::ranges::upper_bound(trail.points, static_cast<float>(until), {}, &Point::time);
+    const auto count = static_cast<std::size_t>(end - trail.points.begin());
+    if (count == 0) continue;
     Trails::Trail& told = *out.add_trails();
     told.set_robot(trail.robot);
-    told.set_points(reinterpret_cast<const char*>(trail.points.data()), trail.points.size() * sizeof(Point));
+    told.set_points(reinterpret_cast<const char*>(trail.points.data()), count * sizeof(Point));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "mlab/console.pb.h"
@@ -21,7 +22,8 @@ class TrailRecorder {
   void look(const run::MissionRun& run);
   /// As if nobody had gone anywhere yet.
   void clear();
-  void encode(Trails& out) const;
+  /// @param until  points that came later are left out [s]
+  void encode(Trails& out, double until = std::numeric_limits<double>::infinity()) const;
   std::size_t point_count() const { return count_; }
 
  private:

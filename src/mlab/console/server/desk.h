@@ -66,6 +66,14 @@ struct Visitor {
   Tcp::socket* socket = nullptr;  ///< null: it is a session, which is ended in its own way
 };
 
+/// What went over the network, since the server started.
+struct Traffic {
+  std::uint64_t sent_bytes = 0;                ///< of answers and messages, without what TLS and TCP add
+  std::uint64_t messages = 0;                  ///< to sessions
+  std::map<unsigned, std::uint64_t> answered;  ///< requests, by status
+  std::uint64_t ended_sessions = 0;            ///< that the server has ended: what they sent or did not take
+};
+
 /// What all connections of a server share. Everything but `waiting` and `routes` belongs to the network
 /// thread.
 struct Desk {
@@ -76,6 +84,7 @@ struct Desk {
   std::list<Visitor> visitors;  ///< oldest first
   std::map<ConnectionId, std::shared_ptr<Recipient>> sessions;
   ConnectionId last_session;
+  Traffic traffic;
   asio::thread_pool waiting{1};  ///< where answers are made that may have to wait
   asio::io_context& io;
 };

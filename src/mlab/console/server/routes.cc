@@ -29,7 +29,7 @@ std::optional<std::uint64_t> number(std::string_view text) {
 
 bool is_private(std::string_view path) {
   return path == "/session" || path == "/designer" || path == "/report" || path == "/stop" ||
-         path == "/health" || path.starts_with(kPicture);
+         path == "/health" || path == "/metrics" || path.starts_with(kPicture);
 }
 
 HttpResponse wrong_method(std::string allowed) {
@@ -48,6 +48,12 @@ HttpResponse picture(const ServerHandlers& handlers, std::string_view revision) 
   // The token in its address is another one after the next start.
   out.fields.emplace_back("Cache-Control", "private, max-age=86400");
   return out;
+}
+
+HttpResponse metrics_of(const ServerHandlers& handlers) {
+  metrics::Exposition out;
+  handlers.metrics(out);
+  return say(std::string(metrics::Exposition::kContentType), out.text());
 }
 
 }  // namespace
@@ -108,6 +114,7 @@ HttpResponse Routes::choose(const HttpRequest& request, const ServerHandlers& ha
     if (!reads) return wrong_method("GET, HEAD");
     if (path == "/report") return say("application/json", handlers.report());
     if (path == "/health") return say("application/json", "{\"ok\": true}\n");
+    if (path == "/metrics") return metrics_of(handlers);
     if (path.starts_with(kPicture)) return picture(handlers, path.substr(kPicture.size()));
     if (path == "/designer" && !handlers.designer.receive)
       return refusal(404, "the designer is not open here; start it with `mlab edit`");

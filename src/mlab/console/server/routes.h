@@ -14,6 +14,7 @@ namespace mlab::console {
 ///     GET  /session        the WebSocket                              token
 ///     GET  /picture/N      the background picture of revision N       token
 ///     GET  /report         what happened so far, JSON                 token
+///     GET  /metrics        what a monitoring system is told           token
 ///     POST /stop           emergency stop                             token
 ///     GET  /health         whether the server answers                 token
 class Routes {

@@ -29,6 +29,7 @@ class RoutesOfAFolder : public testing::Test {
     request_.host = "127.0.0.1:8642";
     handlers_.emergency_stop = [this] { ++stops_; };
     handlers_.report = [] { return std::string("{\"outcome\": \"done\"}"); };
+    handlers_.metrics = [](metrics::Exposition& out) { out.gauge("mlab_robots", "Robots.", 4.0); };
     handlers_.picture = [](std::uint64_t revision) {
       return revision == 7 ? Content{"image/png", std::make_shared<const std::string>("PNG")} : Content{};
     };
@@ -65,6 +66,23 @@ TEST_F(RoutesOfAFolder, ThePageWantsTheTokenAndIsNeverKept) {
   EXPECT_EQ(ask("/").status, 403U);
   EXPECT_NE(body(ask("/")).find("address that `mlab run` or `mlab edit` printed"), std::string::npos);
   EXPECT_EQ(ask("/index.html?token=wrong").status, 403U);
+}
+
+TEST_F(RoutesOfAFolder, MetricsWantTheTokenAsPrometheusSendsIt) {
+  EXPECT_EQ(ask("/metrics").status, 403U);
+  EXPECT_EQ(ask("/metrics?token=secret").status, 200U);
+  request_.authorization = "Bearer secret";
+  const HttpResponse told = ask("/metrics");
+  EXPECT_EQ(told.status, 200U);
+  EXPECT_EQ(told.content_type, "text/plain; version=0.0.4; charset=utf-8");
+  EXPECT_EQ(body(told), "# HELP mlab_robots Robots.\n# TYPE mlab_robots gauge\nmlab_robots 4\n");
+  EXPECT_EQ(field(told, "Cache-Control"), "no-store");
+  EXPECT_EQ(ask("/metrics", Method::kPost).status, 405U);
+  request_.authorization = "Bearer wrong";
+  EXPECT_EQ(ask("/metrics").status, 403U);
+  request_.authorization = "Bearer secret";
+  request_.host = "monitor.example:8642";
+  EXPECT_EQ(ask("/metrics").status, 421U);
 }
 
 TEST_F(RoutesOfAFolder, FilesOfTheClientAreFreeAndKept) {

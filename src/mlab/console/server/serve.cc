@@ -80,7 +80,7 @@ asio::awaitable<HttpResponse> answer_of(const HttpRequest& request, Desk& desk) 
 
 /// Sends an answer. False where the connection can't go on.
 asio::awaitable<bool> write_answer(Stream& stream, const HttpResponse& answer, const Request& request,
-                                   bool keeps) {
+                                   bool keeps, Traffic& traffic) {
   namespace http = beast::http;
   http::response<http::span_body<const char>> response;
   response.result(answer.status);
@@ -96,6 +96,8 @@ asio::awaitable<bool> write_answer(Stream& stream, const HttpResponse& answer, c
   http::response_serializer<http::span_body<const char>> serializer(response);
   const auto [error, sent] = is_head ? co_await http::async_write_header(stream, serializer, kReturned)
                                      : co_await http::async_write(stream, serializer, kReturned);
+  traffic.sent_bytes += sent;
+  ++traffic.answered[answer.status];
   co_return !error && keeps;
 }
 
@@ -139,7 +141,7 @@ asio::awaitable<void> serve_stream(Stream stream, Visit& visit, Desk& desk) {
     stream.expires_after(std::exchange(patience, limits::kBetweenRequests));
     const auto [error, size] = co_await http::async_read(stream, buffer, parser, kReturned);
     if (is_unreadable(error)) {
-      co_await write_answer(stream, complaint(error), parser.get(), false);
+      co_await write_answer(stream, complaint(error), parser.get(), false, desk.traffic);
       break;
     }
     if (error) co_return;
@@ -154,7 +156,7 @@ asio::awaitable<void> serve_stream(Stream stream, Visit& visit, Desk& desk) {
       co_await session->run(asked);
       co_return;
     }
-    goes_on = co_await write_answer(stream, answer, asked, asked.keep_alive());
+    goes_on = co_await write_answer(stream, answer, asked, asked.keep_alive(), desk.traffic);
   }
   co_await part(stream);
 }

@@ -67,6 +67,24 @@ bool listen(Tcp::acceptor& acceptor, const asio::ip::address& address, const Ser
   return false;
 }
 
+void tell_traffic(const Desk& desk, metrics::Exposition& out) {
+  const Traffic& traffic = desk.traffic;
+  out.gauge("mlab_http_connections", "Connections to the server, sessions included.",
+            static_cast<double>(desk.visitors.size()));
+  out.gauge("mlab_sessions", "WebSockets of the console and the designer.",
+            static_cast<double>(desk.sessions.size()));
+  out.counter("mlab_sent_bytes_total", "Bytes of answers and messages, without what TLS and TCP add.",
+              static_cast<double>(traffic.sent_bytes));
+  out.counter("mlab_sent_messages_total", "Messages to WebSockets.", static_cast<double>(traffic.messages));
+  out.counter("mlab_sessions_ended_total",
+              "WebSockets that the server has ended: too slow, or no message of its protocol.",
+              static_cast<double>(traffic.ended_sessions));
+  std::vector<metrics::Exposition::Series> answered;
+  for (const auto& [status, count] : traffic.answered)
+    answered.push_back({{{"code", std::to_string(status)}}, static_cast<double>(count)});
+  out.counter("mlab_http_requests_total", "Requests that were answered, by status.", answered);
+}
+
 }  // namespace
 
 /// The listening socket, the thread, and everybody who came.
@@ -102,6 +120,10 @@ class Server::Network {
 
   void start(ServerHandlers handlers) {
     desk_->handlers = std::move(handlers);
+    desk_->handlers.metrics = [this, others = std::move(desk_->handlers.metrics)](metrics::Exposition& out) {
+      if (others) others(out);
+      tell_traffic(*desk_, out);
+    };
     asio::co_spawn(io_, accept(), asio::detached);
     thread_ = std::thread([this] { run(); });
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mlab/console/server/connection_id.h"
+#include "mlab/metrics/exposition.h"
 
 namespace mlab::console {
 
@@ -37,14 +38,15 @@ struct SocketHandlers {
   std::function<void(ConnectionId)> closed;
 };
 
-/// What the server calls. The first three come from its network thread and must not block; the others come
-/// from a thread of their own, and may wait.
+/// What the server calls. `picture` and `report` come from a thread of their own, and may wait; the others
+/// come from its network thread and must not block.
 struct ServerHandlers {
   SocketHandlers session;
   SocketHandlers designer;  ///< of `/designer`; none: there is no designer
   std::function<void()> emergency_stop;
   std::function<Content(std::uint64_t revision)> picture;
-  std::function<std::string()> report;  ///< JSON
+  std::function<std::string()> report;                ///< JSON
+  std::function<void(metrics::Exposition&)> metrics;  ///< what is told beside what the server knows itself
 };
 
 /// HTTP and WebSocket for the operator console, on one thread. Knows browsers, tokens and files, and nothing

@@ -32,6 +32,8 @@
 #include <boost/beast/websocket.hpp>
 #include <boost/beast/websocket/ssl.hpp>
 
+#include "mlab/metrics/testing/scrape.h"
+
 namespace mlab::console {
 namespace {
 
@@ -252,6 +254,22 @@ TEST_F(RunningServer, AConnectionAnswersOneRequestAfterTheOther) {
   for (std::size_t at = out.find("{\"ok\": true}"); at != std::string::npos; at = out.find("{\"ok\"", at + 1))
     ++count;
   EXPECT_EQ(count, 3U);
+}
+
+TEST_F(RunningServer, TellsPrometheusWhatWentOverTheNetwork) {
+  const std::string bearer = std::string("Authorization: Bearer ") + kToken + "\r\n";
+  EXPECT_TRUE(get("/metrics").starts_with("HTTP/1.1 403"));
+  EXPECT_TRUE(get("/health", bearer).starts_with("HTTP/1.1 200"));
+  const std::string answer = get("/metrics", bearer);
+  EXPECT_NE(answer.find("Content-Type: text/plain; version=0.0.4; charset=utf-8\r\n"), std::string::npos)
+      << answer;
+  const metrics::testing::Scrape scrape(answer.substr(answer.find("\r\n\r\n") + 4));
+  EXPECT_EQ(scrape.problems(), "");
+  EXPECT_EQ(scrape.value("mlab_http_requests_total{code=\"200\"}"), 1.0);
+  EXPECT_EQ(scrape.value("mlab_http_requests_total{code=\"403\"}"), 1.0);
+  EXPECT_GT(scrape.value("mlab_sent_bytes_total"), 200.0);
+  EXPECT_GE(scrape.value("mlab_http_connections"), 1.0);
+  EXPECT_EQ(scrape.value("mlab_sessions"), 0.0);
 }
 
 TEST_F(RunningServer, StopIsAnsweredWhileAReportIsWaitedFor) {

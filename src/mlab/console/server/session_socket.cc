@@ -79,6 +79,8 @@ asio::awaitable<void> SessionSocket::write() {
       co_return;
     }
     last_taken_ = Clock::now();
+    desk_.traffic.sent_bytes += size;
+    ++desk_.traffic.messages;
     // Nothing where all that waited was thrown away meanwhile.
     waiting_bytes_ -= std::min(waiting_bytes_, next->size());
   }
@@ -95,6 +97,7 @@ void SessionSocket::send(std::shared_ptr<const std::string> bytes) {
 
 void SessionSocket::leave(Goodbye why, std::string reason) {
   if (std::exchange(is_leaving_, true)) return;
+  ++desk_.traffic.ended_sessions;
   goodbye_ = {static_cast<beast::websocket::close_code>(why), reason};
   waiting_.clear();
   waiting_bytes_ = 0;

@@ -68,16 +68,23 @@ SessionCore::SessionCore(SessionSettings settings, Session::Send send)
       people_(welcome_of(settings_), std::move(send)),
       run_(log_, settings_.speed, settings_.run.stop_line, [this] { inbox_.wake(); }),
       parameters_(run_, documents_, log_),
-      maker_({settings_, documents_, run_, parameters_, log_, inbox_},
+      bookmark_orders_({settings_, run_, log_, bookmarks_}),
+      chronicle_({settings_, documents_, run_, people_, log_, bookmarks_.bookmarks}),
+      maker_({settings_, documents_, run_, parameters_, log_, inbox_, chronicle_},
              [this] { return attend_during_cycle(); }),
+      resumption_({documents_, run_, people_, maker_, chronicle_, bookmark_orders_, log_}),
       document_orders_({documents_, project_, run_, maker_, log_}, settings_.tell_not_kept),
       name_orders_(documents_, document_orders_, maker_,
                    {designs_of(settings_, project_), "in the designer"}),
       // So that it stays known what was executed.
       run_orders_(run_, log_, [this] { document_orders_.sync_drafts(); }),
       failsafe_trials_(run_),
+      look_backs_({settings_, documents_, chronicle_, run_, people_, log_, inbox_}),
+      other_futures_({settings_, look_backs_, run_, people_, inbox_}),
       frames_(run_, people_),
-      publisher_({people_, documents_, run_, maker_, frames_, log_}),
+      publisher_(
+          {people_, documents_, run_, maker_, frames_, log_, look_backs_, chronicle_, bookmark_orders_}),
+      measuring_({people_, run_, log_, settings_.version}),
       thread_([this] { work(); }) {}
 
 SessionCore::~SessionCore() {
@@ -88,6 +95,8 @@ std::vector<std::string> SessionCore::end() {
   ends_ = true;
   inbox_.wake();
   if (thread_.joinable()) thread_.join();
+  other_futures_.end();
+  look_backs_.end();
   maker_.end();
   return documents_.losses();
 }
@@ -114,6 +123,8 @@ void SessionCore::receive(ConnectionId from, std::unique_ptr<ToServer> message) 
 void SessionCore::closed(ConnectionId connection) {
   inbox_.post([this, connection] {
     people_.leave(connection);
+    look_backs_.forget(connection);
+    other_futures_.forget(connection);
     frames_.update_watches();
   });
 }
@@ -165,11 +176,16 @@ void SessionCore::work() {
     run_.advance();
     run_.update_teleoperations();
     if (run_.live() != nullptr && run_.live()->run().is_over()) has_ended_ = true;
+    chronicle_.keep();
+    bookmark_orders_.keep();
     document_orders_.keep_drafts();
     document_orders_.look_at_disk();
     picture_.follow(documents_, project_);
     publisher_.publish();
+    measuring_.look();
   }
+  chronicle_.keep_now();
+  bookmark_orders_.keep(true);
   documents_.store().sync_drafts(wall_time());
 }
 
@@ -178,11 +194,24 @@ void SessionCore::do_tasks(const std::vector<Inbox::Task>& tasks) {
     run_.heed_stop();
     task();
     frames_.follow_run();
+    look_backs_.follow_run();
+    bookmark_orders_.follow_run();
+    other_futures_.follow_run();
   }
 }
 
 void SessionCore::open_first_mission() {
-  if (settings_.mission.empty()) return;
+  if (settings_.recording.history) {
+    look_backs_.open(settings_.recording.history);
+    bookmark_orders_.open_recording();
+    if (settings_.against.history) other_futures_.compare(settings_.against);
+    return;
+  }
+  const Answered not_resumed = settings_.resume.empty() ? std::nullopt : resumption_.resume(settings_.resume);
+  if (not_resumed) log_.add(0.0, {Log::WARNING, *not_resumed, 0, "", {}, true});
+  chronicle_.look();
+  const bool is_resumed = !settings_.resume.empty() && !not_resumed;
+  if (settings_.mission.empty() || is_resumed) return;
   const bool is_example = settings_.mission.starts_with("examples:");
   const text::Result<bool> opened = is_example ? documents_.open(settings_.mission, wall_time())
                                                : documents_.open_on_disk(settings_.mission, wall_time());
@@ -228,9 +257,13 @@ void SessionCore::take(ConnectionId from, const ToServer& message) {
     error = "this request is not known here";
   } else if (Order::is_for_operator(message) && !people_.roles().is_operator(sender->client.id)) {
     error = people_.why_no_operator(sender->client);
+  } else if (auto why = why_no_order(from, message)) {
+    error = why;
   } else {
-    if (order.from == Order::From::kOperator) run_.look_again();
+    if (order.from != Order::From::kAnybody) run_.look_again();
     error = order.take(*this, *sender, message, reply);
+    if (Order::is_to_be_kept(message)) keep_what_is_acknowledged(message, reply);
+    if (!error && order.answers_later) return;
   }
   if (!wants_answer) return;
   reply.set_ok(!error.has_value());
@@ -238,15 +271,30 @@ void SessionCore::take(ConnectionId from, const ToServer& message) {
   people_.send(from, out);
 }
 
+void SessionCore::keep_what_is_acknowledged(const ToServer& message, Reply& reply) {
+  chronicle_.keep_now(message.has_save_documents() ? journal::Reach::kMachine : journal::Reach::kProcess);
+  reply.set_not_saved(chronicle_.not_saved());
+}
+
 Answered SessionCore::hello(ConnectionId from, const ToServer& message) {
   if (auto error = people_.join(from, message.hello())) return error;
   publisher_.greet(from);
+  look_backs_.begin(*people_.find(from));
+  other_futures_.begin(from);
   return std::nullopt;
 }
 
 Answered SessionCore::control(const Sender& sender, const Control& control) {
   if (control.action() == Control::RESTART) return maker_.restart(sender, control);
   return run_orders_.control(sender, control);
+}
+
+Answered SessionCore::why_no_order(ConnectionId from, const ToServer& message) const {
+  if (!Order::is_for_operator(message)) return std::nullopt;
+  const Order::From from_whom = Order::of(message.body_case()).from;
+  if (from_whom == Order::From::kOperatorEver) return std::nullopt;
+  const bool is_of_run = from_whom == Order::From::kOperatorNow;
+  return is_of_run || look_backs_.is_recording() ? look_backs_.why_no_order(from) : std::nullopt;
 }
 
 Answered SessionCore::take_operator(const Sender& sender) {

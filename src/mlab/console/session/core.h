@@ -10,13 +10,19 @@
 #include "mlab/console/inbox.h"
 #include "mlab/console/run/event_log.h"
 #include "mlab/console/session.h"
+#include "mlab/console/session/bookmark_orders.h"
+#include "mlab/console/session/chronicle.h"
 #include "mlab/console/session/document_orders.h"
 #include "mlab/console/session/failsafe_trials.h"
 #include "mlab/console/session/frames.h"
+#include "mlab/console/session/look_backs.h"
 #include "mlab/console/session/map_picture.h"
+#include "mlab/console/session/measuring.h"
 #include "mlab/console/session/name_orders.h"
+#include "mlab/console/session/other_futures.h"
 #include "mlab/console/session/people.h"
 #include "mlab/console/session/publisher.h"
+#include "mlab/console/session/resumption.h"
 #include "mlab/console/session/robot_parameters.h"
 #include "mlab/console/session/run_control.h"
 #include "mlab/console/session/run_maker.h"
@@ -43,6 +49,7 @@ class SessionCore {
   void look_at_run(RunLook look);
   Session::Picture picture(std::uint64_t revision) const { return picture_.find(revision); }
   std::string report();
+  void tell_metrics(metrics::Exposition& out) const { measuring_.tell(out); }
   std::vector<std::string> end();
   bool has_ended() const { return has_ended_; }
 
@@ -53,6 +60,7 @@ class SessionCore {
   void open_first_mission();
   void take(ConnectionId from, const ToServer& message);
   Answered hello(ConnectionId from, const ToServer& message);
+  void keep_what_is_acknowledged(const ToServer& message, Reply& reply);
   void do_tasks(const std::vector<Inbox::Task>& tasks);
   /// Within a cycle, while a robot's own process computes. @return  true: the cycle is not to be waited for
   bool attend_during_cycle();
@@ -62,6 +70,8 @@ class SessionCore {
 
   // What takes more than one of those below.
   Answered control(const Sender& sender, const Control& control);
+  /// Why an order of somebody who may give orders can't be taken.
+  Answered why_no_order(ConnectionId from, const ToServer& message) const;
   Answered take_operator(const Sender& sender);
   Answered pass_operator(const Sender& sender, const PassOperator& pass);
 
@@ -80,13 +90,20 @@ class SessionCore {
   People people_;
   RunControl run_;
   RobotParameters parameters_;
+  history::KeptBookmarks bookmarks_;  // of the run, or of the recording that was opened
+  BookmarkOrders bookmark_orders_;
+  Chronicle chronicle_;
   RunMaker maker_;
+  Resumption resumption_;
   DocumentOrders document_orders_;
   NameOrders name_orders_;
   RunOrders run_orders_;
   FailsafeTrials failsafe_trials_;
+  LookBacks look_backs_;
+  OtherFutures other_futures_;
   Frames frames_;
   Publisher publisher_;
+  Measuring measuring_;
   std::thread thread_;
 };
 

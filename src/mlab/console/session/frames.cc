@@ -6,6 +6,7 @@
 
 #include "mlab/console/published/failsafe_encoder.h"
 #include "mlab/console/published/robot_detail.h"
+#include "mlab/console/published/watched.h"
 #include "mlab/console/run/measure_series.h"
 
 namespace mlab::console {
@@ -24,7 +25,7 @@ void Frames::watch(const Sender& sender, const Watch& watch) {
   const LiveRun* live = run_.live();
   for (const Series& series : sender.channel.watched().series()) {
     if (live != nullptr)
-      sender.channel.series_seen.try_emplace(series.id(), live->series().last_time(series, -1.0));
+      sender.channel.series_seen.try_emplace(series.id(), live->notes().series().last_time(series, -1.0));
   }
 }
 
@@ -40,10 +41,10 @@ Answered Frames::read_series(const ReadSeries& read, Reply& reply) {
       told.set_error("there is no run");
       continue;
     }
-    live->series().encode_since(series, -1.0, *told.mutable_samples());
+    live->notes().series().encode_since(series, -1.0, *told.mutable_samples());
     if (!told.samples().empty()) continue;
     told.set_error(problem_of(live->run(), series));
-    if (told.error().empty() && !live->series().is_recorded(series))
+    if (told.error().empty() && !live->notes().series().is_recorded(series))
       told.set_error("it has not been watched, so it was not recorded");
   }
   return std::nullopt;
@@ -73,9 +74,9 @@ void Frames::update_watches() {
     details.insert(details.end(), watch.details().begin(), watch.details().end());
     series.insert(series.end(), watch.series().begin(), watch.series().end());
   }
-  live->transitions().watch(details);
-  live->alarms().watch_states(std::move(details));
-  live->series().watch(series, wall_time());
+  live->notes().transitions().watch(details);
+  live->notes().alarms().watch_states(std::move(details));
+  live->notes().series().watch(series, wall_time());
 }
 
 // ---- frames
@@ -83,7 +84,8 @@ void Frames::update_watches() {
 double Frames::next_frame() const {
   double next = std::numeric_limits<double>::infinity();
   for (const auto& [id, channel] : people_.channels()) {
-    if (channel.seen != run_.world_version()) next = std::min(next, channel.next_frame());
+    if (!channel.looks_back && channel.seen != run_.world_version())
+      next = std::min(next, channel.next_frame());
   }
   return next;
 }
@@ -91,7 +93,7 @@ double Frames::next_frame() const {
 void Frames::publish() {
   const double wall = wall_time();
   for (auto& [id, channel] : people_.channels()) {
-    if (channel.seen == run_.world_version() || !channel.wants_frame(wall)) continue;
+    if (channel.looks_back || channel.seen == run_.world_version() || !channel.wants_frame(wall)) continue;
     ToBrowser out;
     fill(channel, *out.mutable_frame());
     out.mutable_frame()->set_number(channel.begin_frame(wall));
@@ -105,16 +107,13 @@ void Frames::fill(Channel& channel, Frame& out) {
   if (run_.live() == nullptr) return;
   const LiveRun& live = *run_.live();
   if (rows_version_ != run_.world_version()) {
-    rows_.gather(live.run(), live.alarms().robots(), run_.teleoperations().robots());
+    rows_.gather(live.run(), live.notes().alarms().robots(), run_.teleoperations().robots());
     rows_version_ = run_.world_version();
   }
   const Watch& watch = channel.watched();
   const auto view = watch.has_view() ? std::optional<Box>(watch.view()) : std::nullopt;
-  out.set_cycle(live.run().cycle());
   out.set_robots_elsewhere(rows_.encode(view, *out.mutable_robots()));
-  if (watch.with_stations()) encode_stations(live.run(), *out.mutable_stations());
-  if (watch.with_vectors()) encode_vectors(live.run(), *out.mutable_vectors());
-  encode_objects(live.run(), *out.mutable_objects());
+  encode_watched(live.run(), watch, out);
   fill_details(watch, out);
   if (watch.with_failsafes()) fill_failsafes(channel, out);
   fill_series(channel, *out.mutable_series());
@@ -123,16 +122,11 @@ void Frames::fill(Channel& channel, Frame& out) {
 void Frames::fill_details(const Watch& watch, Frame& out) {
   const LiveRun& live = *run_.live();
   const run::MissionRun& run = live.run();
-  const std::vector<std::string> paths(watch.ports().begin(), watch.ports().end());
   for (const std::uint32_t id : watch.details()) {
     const fleet::FleetRobot* robot = run.fleet().find({id});
     if (robot == nullptr) continue;
     RobotDetail& told = *out.add_details();
-    DetailWishes wishes = {watch.with_ports(), watch.with_readings(), live.transitions().before(id)};
-    if (watch.ports_size() > 0 && robot->workings().program)
-      wishes.some_ports = port_indices(*robot->workings().program, paths);
-    encode_detail(run, live.estimates(), *robot, wishes, told);
-    live.transitions().encode(id, told);
+    encode_watched(run, *robot, watch, live.notes().estimates(), live.notes().transitions(), told);
     Sentences& sentences = sentences_[id];
     if (!run_.time_runs() || wall_time() - sentences.wall > kSentencesEvery)
       sentences = {wall_time(), waits_for(run, *robot)};
@@ -162,10 +156,10 @@ void Frames::fill_series(Channel& channel, SeriesData& out) {
     double& seen = channel.series_seen.try_emplace(series.id(), -1.0).first->second;
     SeriesData::Samples told;
     told.set_id(series.id());
-    live.series().encode_since(series, seen, *told.mutable_samples());
+    live.notes().series().encode_since(series, seen, *told.mutable_samples());
     if (told.samples().empty()) told.set_error(problem_of(live.run(), series));
     if (told.samples().empty() && told.error().empty()) continue;
-    seen = live.series().last_time(series, seen);
+    seen = live.notes().series().last_time(series, seen);
     *out.add_samples() = std::move(told);
   }
 }

@@ -21,6 +21,11 @@ Order Order::of(ToServer::BodyCase body) {
   constexpr auto kFrames = &Core::frames_;
   constexpr auto kPeople = &Core::people_;
   constexpr auto kMaker = &Core::maker_;
+  constexpr auto kPast = &Core::look_backs_;
+  constexpr auto kBookmarks = &Core::bookmark_orders_;
+  using Futures = OtherFutures;
+  constexpr auto kFutures = &Core::other_futures_;
+  constexpr auto kResumption = &Core::resumption_;
   switch (body) {
     case M::BODY_NOT_SET:
     case M::kHello:
@@ -57,36 +62,54 @@ Order Order::of(ToServer::BodyCase body) {
     case M::kTryFailsafes:
       return {kAnybody, kAfterCycle, T::taken<&FailsafeTrials::try_out, &M::try_failsafes, kTrials>};
 
+    case M::kLookBack:
+      return {kAnybody, kDuringCycle, T::taken<&LookBacks::look_back, &M::look_back, kPast>};
+    case M::kReadPast:
+      return {kAnybody, kDuringCycle, T::taken<&LookBacks::read_past, &M::read_past, kPast>, true};
+    case M::kFindMoments:
+      return {kAnybody, kDuringCycle, T::taken<&LookBacks::find_moments, &M::find_moments, kPast>, true};
+
+    case M::kReadChangeable:
+      return {kAnybody, kDuringCycle, T::taken<&Futures::read_changeable, &M::read_changeable, kFutures>,
+              true};
+    case M::kWhatIf:
+      return {kAnybody, kDuringCycle, T::taken<&Futures::what_if, &M::what_if, kFutures>, true};
+    case M::kForgetFuture:
+      return {kAnybody, kDuringCycle, T::taken<&Futures::forget_future, &M::forget_future, kFutures>};
+    case M::kSaveFuture:
+      return {kAnybody, kDuringCycle, T::taken<&Futures::save, &M::save_future, kFutures>, true};
+
     case M::kControl:
-      return {kOperator, kAfterCycle, T::taken_whole<&Core::control, &M::control>};
+      return {kOperatorNow, kAfterCycle, T::taken_whole<&Core::control, &M::control>};
     case M::kSetSpeed:
-      return {kOperator, kAfterCycle, T::taken<&Run::set_speed, &M::set_speed, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::set_speed, &M::set_speed, kRun>};
     case M::kAnswer:
-      return {kOperator, kAfterCycle, T::taken<&Run::answer, &M::answer, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::answer, &M::answer, kRun>};
     case M::kStartTeleoperation:
-      return {kOperator, kAfterCycle, T::taken<&Run::start_teleoperation, &M::start_teleoperation, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::start_teleoperation, &M::start_teleoperation, kRun>};
     case M::kStick:
-      return {kOperator, kAfterCycle, T::taken<&Run::stick, &M::stick, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::stick, &M::stick, kRun>};
     case M::kEndTeleoperation:
-      return {kOperator, kAfterCycle, T::taken<&Run::end_teleoperation, &M::end_teleoperation, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::end_teleoperation, &M::end_teleoperation, kRun>};
     case M::kSetBreakpoint:
       return {kOperator, kAfterCycle, T::taken<&Run::set_breakpoint, &M::set_breakpoint, kRun>};
     case M::kRemoveBreakpoint:
       return {kOperator, kAfterCycle, T::taken<&Run::remove_breakpoint, &M::remove_breakpoint, kRun>};
     case M::kForceState:
-      return {kOperator, kAfterCycle, T::taken<&Run::force_state, &M::force_state, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::force_state, &M::force_state, kRun>};
     case M::kHoldValue:
-      return {kOperator, kAfterCycle, T::taken<&Run::hold_value, &M::hold_value, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::hold_value, &M::hold_value, kRun>};
     case M::kReleaseValue:
-      return {kOperator, kAfterCycle, T::taken<&Run::release_value, &M::release_value, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::release_value, &M::release_value, kRun>};
     case M::kReplaceRobot:
-      return {kOperator, kAfterCycle, T::taken<&Run::replace_robot, &M::replace_robot, kRun>};
+      return {kOperatorNow, kAfterCycle, T::taken<&Run::replace_robot, &M::replace_robot, kRun>};
     case M::kTyped:
-      return {kOperator, kAfterCycle, T::taken<&RunMaker::typed, &M::typed, kMaker>};
+      return {kOperatorNow, kAfterCycle, T::taken<&RunMaker::typed, &M::typed, kMaker>};
     case M::kSetOption:
-      return {kOperator, kAfterCycle, T::taken<&RunMaker::set_option, &M::set_option, kMaker>};
+      return {kOperatorNow, kAfterCycle, T::taken<&RunMaker::set_option, &M::set_option, kMaker>};
     case M::kSetParameter:
-      return {kOperator, kAfterCycle, T::taken<&RobotParameters::set, &M::set_parameter, &Core::parameters_>};
+      return {kOperatorNow, kAfterCycle,
+              T::taken<&RobotParameters::set, &M::set_parameter, &Core::parameters_>};
 
     case M::kEditText:
       return {kOperator, kAfterCycle, T::taken<&Texts::edit_text, &M::edit_text, kDocuments>};
@@ -108,6 +131,12 @@ Order Order::of(ToServer::BodyCase body) {
       return {kOperator, kAfterCycle, T::taken<&Texts::reload, &M::reload_document, kDocuments>};
     case M::kPlanRename:
       return {kOperator, kDuringCycle, T::taken<&Names::plan, &M::plan_rename, kNames>};
+    case M::kContinueRun:
+      return {kOperator, kEndsWait, T::taken<&Resumption::continue_run, &M::continue_run, kResumption>};
+    case M::kSetBookmark:
+      return {kOperatorEver, kAfterCycle, T::taken<&BookmarkOrders::set, &M::set_bookmark, kBookmarks>};
+    case M::kRemoveBookmark:
+      return {kOperatorEver, kAfterCycle, T::taken<&BookmarkOrders::remove, &M::remove_bookmark, kBookmarks>};
     case M::kRenameEverywhere:
       return {kOperator, kAfterCycle, T::taken<&Names::rename, &M::rename_everywhere, kNames>};
   }
@@ -120,9 +149,14 @@ Inbox::Kind Order::kind_of(const ToServer& message) {
   return ends_run ? Inbox::Kind::kEndsWait : of(message.body_case()).when;
 }
 
+bool Order::is_to_be_kept(const ToServer& message) {
+  return of(message.body_case()).from != From::kAnybody || message.has_emergency_stop() ||
+         message.has_take_operator() || message.has_pass_operator();
+}
+
 bool Order::is_for_operator(const ToServer& message) {
   const bool looks_only = message.has_typed() && message.typed().preview();
-  return of(message.body_case()).from == From::kOperator && !looks_only;
+  return of(message.body_case()).from != From::kAnybody && !looks_only;
 }
 
 }  // namespace mlab::console

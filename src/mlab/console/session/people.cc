@@ -68,10 +68,12 @@ void People::send(ConnectionId to, const ToBrowser& message) const {
   send_(to, bytes_of(message));
 }
 
-void People::broadcast(const ToBrowser& message) const {
+void People::broadcast(const ToBrowser& message, bool of_run) const {
   if (channels_.empty()) return;
   const auto bytes = bytes_of(message);
-  for (const auto& [id, channel] : channels_) send_(id, bytes);
+  for (const auto& [id, channel] : channels_) {
+    if (!of_run || !channel.looks_back) send_(id, bytes);
+  }
 }
 
 void People::welcome(ConnectionId to) const {

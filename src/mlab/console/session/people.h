@@ -28,6 +28,10 @@ class People {
   /// Nothing where no client has that connection.
   std::optional<Sender> find(ConnectionId from);
   const Roles& roles() const { return roles_; }
+  /// As Roles::recall.
+  void recall(std::vector<Roles::Client> clients, std::uint32_t operator_id) {
+    roles_.recall(std::move(clients), operator_id, wall_time());
+  }
   std::map<ConnectionId, Channel>& channels() { return channels_; }
   const std::map<ConnectionId, Channel>& channels() const { return channels_; }
 
@@ -45,7 +49,8 @@ class People {
   // ---- what they are told
 
   void send(ConnectionId to, const ToBrowser& message) const;
-  void broadcast(const ToBrowser& message) const;
+  /// @param of_run  who looks at another moment of the run is left out
+  void broadcast(const ToBrowser& message, bool of_run = false) const;
   void welcome(ConnectionId to) const;
   /// What each has not been told yet.
   void send_log(Channel& channel, const EventLog& log) const;

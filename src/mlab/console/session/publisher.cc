@@ -1,13 +1,12 @@
 #include "mlab/console/session/publisher.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "mlab/base/hash.h"
 #include "mlab/console/published/failsafe_encoder.h"
+#include "mlab/console/published/frame_encoder.h"
 #include "mlab/console/published/overview.h"
 #include "mlab/console/published/status_encoder.h"
 #include "mlab/console/run/held_values.h"
@@ -18,25 +17,8 @@ namespace {
 constexpr double kStatusApart = 0.05;  // two that tell of something that happened [s]
 constexpr double kStatusEvery = 0.25;  // while time passes [s]
 
-using Round = std::tuple<double, double, double>;
-
 std::uint32_t count_of(std::size_t size) {
   return static_cast<std::uint32_t>(size);
-}
-
-std::uint64_t bits(double value) {
-  std::uint64_t out = 0;
-  std::memcpy(&out, &value, sizeof out);
-  return out;
-}
-
-std::uint64_t key_of(std::span<const binding::Disc> discs) {
-  std::uint64_t key = discs.size();
-  for (const binding::Disc& disc : discs) {
-    key = base::combine_bits(key, bits(disc.center.x));
-    key = base::combine_bits(key, bits(disc.center.y) ^ bits(disc.radius));
-  }
-  return key;
 }
 
 }  // namespace
@@ -48,9 +30,13 @@ Publisher::Publisher(const Parts& parts)
       maker_(parts.maker),
       frames_(parts.frames),
       log_(parts.log),
+      look_backs_(parts.look_backs),
+      chronicle_(parts.chronicle),
+      bookmarks_(parts.bookmarks),
       topics_(topics()) {}
 
 // In the order in which whoever comes is told of them.
+// NOLINTNEXTLINE(readability-function-size): a row for each topic
 std::vector<Publisher::Topic> Publisher::topics() {
   const auto plan_revision = [this] { return run_.plan_revision(); };
   const auto live = [this] { return std::as_const(run_).live(); };
@@ -59,20 +45,22 @@ std::vector<Publisher::Topic> Publisher::topics() {
        [this] { return documents_.files_revision(); }},
       {[this](ToBrowser& out) { *out.mutable_documents() = documents_.documents_message(); },
        [this] { return documents_.revision(); }},
-      {[this](ToBrowser& out) { tell_scene(out); }, [this] { return scene_revision(); }},
+      {[this](ToBrowser& out) { tell_scene(out); }, [this] { return scene_revision(); }, true},
       {[live](ToBrowser& out) {
          Roster& roster = *out.mutable_roster();
          if (live() != nullptr) encode_roster(live()->run(), roster);
        },
-       plan_revision},
+       plan_revision, true},
       {[this](ToBrowser& out) {
          Starts& starts = *out.mutable_starts();
          if (run_.live() != nullptr) encode_starts(run_.live()->run(), *starts.mutable_robots());
        },
-       [this] {
-         return base::combine_bits(base::combine_bits(run_.plan_revision(), world_changes_),
-                                   count_not_started());
-       }},
+       [this, live] {
+         // Who has been started is no longer shown where it will be.
+         const std::uint64_t not_started = live() != nullptr ? count_not_started(live()->run()) : 0;
+         return base::combine_bits(base::combine_bits(run_.plan_revision(), world_changes_), not_started);
+       },
+       true},
       {[this, live](ToBrowser& out) {
          out.mutable_plan()->set_revision(run_.plan_revision());
          if (live() == nullptr) return;
@@ -80,7 +68,7 @@ std::vector<Publisher::Topic> Publisher::topics() {
              live()->run().mission(), run_.plan_revision(),
              [this](const text::Place& place) { return documents_.place(place); }, *out.mutable_plan());
        },
-       plan_revision},
+       plan_revision, true},
       {[this, live](ToBrowser& out) {
          Failsafes& failsafes = *out.mutable_failsafes();
          if (live() == nullptr) return;
@@ -88,37 +76,54 @@ std::vector<Publisher::Topic> Publisher::topics() {
              live()->run().mission(), [this](const text::Place& place) { return documents_.place(place); },
              failsafes);
        },
-       plan_revision},
-      {[this](ToBrowser& out) { tell_status(out); }, [this] { return news_revision(); }},
+       plan_revision, true},
+      {[this](ToBrowser& out) { tell_status(out); }, [this] { return news_revision(); }, true},
       {[live](ToBrowser& out) {
          Questions& questions = *out.mutable_questions();
          if (live() != nullptr)
-           encode_questions(live()->run().state(), live()->asked(), live()->question_texts(), questions);
+           encode_questions(live()->run().state(), live()->notes().asked(), live()->notes().question_texts(),
+                            questions);
        },
-       {}},
+       {},
+       true},
       {[this](ToBrowser& out) { people_.roles().encode(*out.mutable_clients()); }, {}},
       {[this](ToBrowser& out) { *out.mutable_edits() = documents_.edit_state(); }, {}},
       {[live](ToBrowser& out) {
          Trails& trails = *out.mutable_trails();
-         if (live() != nullptr) live()->trails().encode(trails);
+         if (live() != nullptr) live()->notes().trails().encode(trails);
        },
-       [this] { return run_.trails_revision(); }},
+       [this] { return run_.trails_revision(); }, true},
       {[this](ToBrowser& out) { std::as_const(run_).breakpoints().encode(*out.mutable_breakpoints()); }, {}},
       {[this](ToBrowser& out) { *out.mutable_halted() = run_.halted(); }, {}},
       {[live](ToBrowser& out) {
          HeldValues& held = *out.mutable_held_values();
          if (live() != nullptr) encode_held(live()->run(), held);
        },
-       [this] { return run_.held_revision(); }},
+       [this] { return run_.held_revision(); }, true},
+      {[this](ToBrowser& out) { look_backs_.encode(*out.mutable_time_line()); },
+       [this] { return look_backs_.line_revision(); }},
+      {[this](ToBrowser& out) { bookmarks_.encode(*out.mutable_bookmarks()); },
+       [this] { return bookmarks_.revision(); }},
+      {[this](ToBrowser& out) { *out.mutable_journal() = chronicle_.message(); }, {}},
   };
 }
 
 void Publisher::greet(ConnectionId to) {
   people_.welcome(to);
-  Channel& channel = people_.channels().at(to);
-  people_.send_log(channel, log_);
-  channel.status_seen = status_number_;
+  people_.send_log(people_.channels().at(to), log_);
+  tell(to, false);
+  if (look_backs_.is_recording()) return;
+  ToBrowser out;
+  out.mutable_moment()->set_is_now(true);
+  people_.send(to, out);
+}
+
+void Publisher::tell(ConnectionId to, bool of_run_only) {
+  people_.channels().at(to).status_seen = status_number_;
   for (const Topic& topic : topics_) {
+    if (of_run_only && !topic.is_of_run) continue;
+    // In a recording all that is of the run is of a moment, and LookBacks tells it.
+    if (topic.is_of_run && look_backs_.is_recording()) continue;
     ToBrowser out;
     topic.tell(out);
     people_.send(to, out);
@@ -126,6 +131,10 @@ void Publisher::greet(ConnectionId to) {
 }
 
 void Publisher::publish() {
+  for (const ConnectionId id : look_backs_.take_returned()) {
+    if (people_.channels().contains(id)) tell(id, true);
+  }
+  look_backs_.publish();
   for (Topic& topic : topics_) publish(topic);
   publish_time();
   for (auto& [id, channel] : people_.channels()) people_.send_log(channel, log_);
@@ -148,12 +157,13 @@ void Publisher::publish(Topic& topic) {
     if (topic.told_bytes == bytes) return;
     topic.told_bytes = std::move(bytes);
   }
-  people_.broadcast(out);
+  people_.broadcast(out, topic.is_of_run);
 }
 
 double Publisher::next() const {
   const bool is_held_back = run_.state_revision() != told_state_;
-  return is_held_back ? last_status_ + kStatusApart : std::numeric_limits<double>::infinity();
+  return std::min(look_backs_.next(),
+                  is_held_back ? last_status_ + kStatusApart : std::numeric_limits<double>::infinity());
 }
 
 // ---- the status
@@ -174,7 +184,7 @@ void Publisher::publish_time() {
   if (run_.time_runs() && wall >= last_status_ + kStatusEvery) begin_status(wall);
   ToBrowser out;
   for (auto& [id, channel] : people_.channels()) {
-    if (channel.status_seen == status_number_ || !channel.has_room()) continue;
+    if (channel.looks_back || channel.status_seen == status_number_ || !channel.has_room()) continue;
     channel.status_seen = status_number_;
     if (!out.has_status()) tell_status(out);
     people_.send(id, out);
@@ -192,9 +202,8 @@ void Publisher::tell_status(ToBrowser& out) const {
   Status& status = *out.mutable_status();
   const double wall = wall_time();
   if (const LiveRun* live = run_.live()) {
-    encode_run(live->run(), live->estimates(), status);
-    for (const std::string& option : options_on(live->options())) status.add_options(option);
-    status.set_zoom_percent(live->options().zoom_percent);
+    encode_run(live->run(), live->notes().estimates(), status);
+    encode_options(live->notes().options(), status);
   } else {
     status.set_seed(maker_.seed());
   }
@@ -222,17 +231,10 @@ void Publisher::tell_status(ToBrowser& out) const {
 
 void Publisher::look_at_world() {
   const LiveRun* live = run_.live();
-  const std::uint64_t key = live == nullptr ? 0 : key_of(live->run().world().discs());
+  const std::uint64_t key = live == nullptr ? 0 : obstacles_key(live->run().world());
   if (key == world_key_) return;
   world_key_ = key;
   ++world_changes_;
-}
-
-// Who has been started is no longer shown where it will be.
-std::uint64_t Publisher::count_not_started() {
-  if (run_.live() == nullptr) return 0;
-  return static_cast<std::uint64_t>(std::ranges::count(
-      run_.live()->run().fleet().robots(), fleet::RobotLife::kNotStarted, &fleet::FleetRobot::life));
 }
 
 std::uint64_t Publisher::scene_revision() const {
@@ -245,18 +247,7 @@ void Publisher::tell_scene(ToBrowser& out) const {
   Scene& scene = *out.mutable_scene();
   scene = documents_.scene();
   scene.set_revision(scene_revision());
-  if (run_.live() == nullptr) return;
-  std::vector<Round> shown;
-  for (const Obstacle& obstacle : scene.obstacles())
-    shown.emplace_back(obstacle.x(), obstacle.y(), obstacle.radius());
-  std::ranges::sort(shown);
-  for (const binding::Disc& disc : run_.live()->run().world().discs()) {
-    if (std::ranges::binary_search(shown, Round{disc.center.x, disc.center.y, disc.radius})) continue;
-    Obstacle& extra = *scene.add_obstacles();
-    extra.set_x(disc.center.x);
-    extra.set_y(disc.center.y);
-    extra.set_radius(disc.radius);
-  }
+  if (run_.live() != nullptr) add_other_obstacles(run_.live()->run().world(), scene);
 }
 
 }  // namespace mlab::console

@@ -8,7 +8,10 @@
 
 #include "mlab/console/documents/documents.h"
 #include "mlab/console/run/event_log.h"
+#include "mlab/console/session/bookmark_orders.h"
+#include "mlab/console/session/chronicle.h"
 #include "mlab/console/session/frames.h"
+#include "mlab/console/session/look_backs.h"
 #include "mlab/console/session/people.h"
 #include "mlab/console/session/run_control.h"
 #include "mlab/console/session/run_maker.h"
@@ -27,6 +30,9 @@ class Publisher {
     const RunMaker& maker;
     Frames& frames;
     const EventLog& log;
+    LookBacks& look_backs;
+    Chronicle& chronicle;
+    const BookmarkOrders& bookmarks;
   };
   explicit Publisher(const Parts& parts);
 
@@ -41,12 +47,14 @@ class Publisher {
   struct Topic {
     std::function<void(ToBrowser&)> tell;
     std::function<std::uint64_t()> revision;  ///< empty: the message is made, and compared
+    bool is_of_run = false;                   ///< who looks at another moment is not told
     std::optional<std::uint64_t> told = std::nullopt;
     std::string told_bytes = {};
   };
 
   std::vector<Topic> topics();
   void publish(Topic& topic);
+  void tell(ConnectionId to, bool of_run_only);
   /// Changes when the status is to be told to everybody: soon after something happened.
   std::uint64_t news_revision();
   /// Tells the status now and then while time passes: to a slow browser once it has drawn what it was told,
@@ -55,7 +63,6 @@ class Publisher {
   void begin_status(double wall);
   /// Obstacles may come and go by themselves.
   void look_at_world();
-  std::uint64_t count_not_started();
   std::uint64_t scene_revision() const;
   void tell_scene(ToBrowser& out) const;
   void tell_status(ToBrowser& out) const;
@@ -66,6 +73,9 @@ class Publisher {
   const RunMaker& maker_;
   Frames& frames_;
   const EventLog& log_;
+  LookBacks& look_backs_;
+  Chronicle& chronicle_;
+  const BookmarkOrders& bookmarks_;
 
   std::uint64_t world_key_ = 0;      // of the obstacles that the scene has
   std::uint64_t world_changes_ = 0;  // how often obstacles came or went that no document has

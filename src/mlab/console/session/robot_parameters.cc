@@ -61,6 +61,14 @@ Answered RobotParameters::apply(const Robots& robots, const std::string& port,
   return std::nullopt;
 }
 
+void RobotParameters::recall(const std::vector<history::InputEntry>& inputs) {
+  values_.clear();
+  for (const history::InputEntry& one : inputs) {
+    const wire::HistoryParameter& set = one.input.parameter();
+    if (one.input.has_parameter()) values_[set.robot()][set.port()] = set.value();
+  }
+}
+
 void RobotParameters::apply_all() {
   if (run_.live() == nullptr) return;
   for (const auto& [robot, ports] : values_) {

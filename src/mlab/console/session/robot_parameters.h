@@ -9,6 +9,7 @@
 #include "mlab/console/run/event_log.h"
 #include "mlab/console/session/request.h"
 #include "mlab/console/session/run_control.h"
+#include "mlab/history/history.h"
 
 namespace mlab::console {
 
@@ -23,6 +24,8 @@ class RobotParameters {
   Answered set(const Sender& sender, const SetParameter& set);
   /// The run is another one of the same mission.
   void apply_all();
+  /// What people had set in a run that is gone on with.
+  void recall(const std::vector<history::InputEntry>& inputs);
   /// Another mission is open.
   void clear() { values_.clear(); }
 

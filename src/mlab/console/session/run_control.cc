@@ -33,12 +33,30 @@ RunControl::~RunControl() {
 
 void RunControl::adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run,
                        std::unique_ptr<history::Recorder> recorder) {
+  end_run();
+  begin_run(run ? std::make_unique<LiveRun>(std::move(crew), std::move(run), log_, std::move(recorder))
+                : nullptr);
+}
+
+void RunControl::adopt(std::unique_ptr<LiveRun> live) {
+  end_run();
+  is_stopped_ = is_stopped_ || live->run().is_stopped();
+  begin_run(std::move(live));
+  run::MissionRun& run = live_->run();
+  for (const fleet::FleetRobot& robot : run.fleet().robots()) run.let_go_of_stick(robot.id);
+  pause();
+}
+
+void RunControl::end_run() {
   is_expected_ = false;
   breakpoints_.begin(nullptr);
   if (live_) release_held();
   live_.reset();
-  if (run) {
-    live_ = std::make_unique<LiveRun>(std::move(crew), std::move(run), log_, std::move(recorder));
+}
+
+void RunControl::begin_run(std::unique_ptr<LiveRun> live) {
+  live_ = std::move(live);
+  if (live_) {
     if (live_->run().is_in_real_time()) pace_.set_speed(1.0, wall_time(), sim_time());
     live_->run().set_stands_still_for_operator(pace_.speed() == 0.0);
     live_->run().set_emergency_stop(is_stopped_);
@@ -51,6 +69,7 @@ void RunControl::adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<ru
   ++plan_revision_;
   ++trails_revision_;
   ++world_version_;
+  ++held_revision_;
   ++state_revision_;
 }
 
@@ -91,7 +110,7 @@ void RunControl::follow_exchange() {
 
 void RunControl::forget_earlier_run() {
   log_.begin_run();
-  live_->trails().clear();
+  live_->notes().trails().clear();
   ++trails_revision_;
 }
 
@@ -158,7 +177,9 @@ void RunControl::advance() {
 
 bool RunControl::step_once() {
   halted_.Clear();
+  const CycleTimes::Watch watch(cycle_times_);
   if (live_->step() != run::MissionRun::Progress::kStepped) return false;
+  watch.note(cycle_times_);
   ++world_version_;
   if (breakpoints_.are_on()) look_at_breakpoints();
   return true;
@@ -277,7 +298,7 @@ const Halted& RunControl::halted() {
 }
 
 std::uint64_t RunControl::state_revision() {
-  if (live_ && live_->take_news()) ++state_revision_;
+  if (live_ && live_->notes().take_news()) ++state_revision_;
   return state_revision_;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mlab/console/run/breakpoints.h"
+#include "mlab/console/run/cycle_times.h"
 #include "mlab/console/run/event_log.h"
 #include "mlab/console/run/live_run.h"
 #include "mlab/console/run/pace.h"
@@ -44,6 +45,8 @@ class RunControl {
   /// @param recorder  as LiveRun
   void adopt(std::shared_ptr<const run::Crew> crew, std::unique_ptr<run::MissionRun> run,
              std::unique_ptr<history::Recorder> recorder = nullptr);
+  /// The same with a run that was computed again: it stands, with nobody's hand on a stick.
+  void adopt(std::unique_ptr<LiveRun> live);
   /// The run goes on with other robots or another plan.
   void exchange(std::shared_ptr<const run::Crew> crew);
   /// The run goes on with other programs. @errors  why it can't
@@ -72,6 +75,8 @@ class RunControl {
   void set_speed(double speed);
   const Pace& pace() const { return pace_; }
   const SpeedMeter& meter() const { return meter_; }
+  /// Of all cycles, whichever run's.
+  const CycleTimes& cycle_times() const { return cycle_times_; }
 
   // ---- the emergency stop
 
@@ -119,6 +124,8 @@ class RunControl {
   void follow_stop_line();
   void follow_exchange();
   void release_held();
+  void end_run();
+  void begin_run(std::unique_ptr<LiveRun> live);
   void look_at_breakpoints();
   void pause();
 
@@ -127,6 +134,7 @@ class RunControl {
   bool is_expected_ = false;
   Pace pace_;
   SpeedMeter meter_;
+  CycleTimes cycle_times_;
   std::shared_ptr<run::StopLine> stop_line_;  // null: there is none
   std::atomic<bool> stop_line_changed_ = true;
   std::atomic<bool> stop_wanted_ = false;

@@ -34,11 +34,6 @@ std::string root_of(const std::string& mission_folder, const SessionSettings& se
   return mission_folder;
 }
 
-// Seconds since 1970-01-01 00:00 UTC.
-double system_time() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 bool is_value_of_option(const std::vector<mission::Command>& commands) {
   return commands.size() == 1 && (std::holds_alternative<mission::SetBoolean>(commands[0]) ||
                                   std::holds_alternative<mission::SetNumber>(commands[0]));
@@ -53,9 +48,10 @@ RunMaker::RunMaker(const Parts& parts, std::function<bool()> meanwhile)
       parameters_(parts.parameters),
       log_(parts.log),
       inbox_(parts.inbox),
+      chronicle_(parts.chronicle),
       meanwhile_(std::move(meanwhile)),
-      shelf_(settings_.record.folder),
       seed_(parts.settings.run.seed),
+      run_settings_(parts.settings.run),
       workshop_(std::make_unique<Workshop>()) {}
 
 RunMaker::~RunMaker() {
@@ -87,6 +83,7 @@ robot::ProgramSources RunMaker::program_sources_with(const text::Files* trial_fi
 Answered RunMaker::restart(const Sender& sender, const Control& control) {
   if (!documents_.mission()) return "there is no mission that could run";
   run_.note(sender.client.name, "restart");
+  chronicle_.give_up();
   load(control.has_seed() ? control.seed() : seed_);
   return std::nullopt;
 }
@@ -187,7 +184,7 @@ void RunMaker::load(std::uint64_t seed, const CrewPtr& known) {
     return;
   }
   run_.expect();
-  run::RunSettings run_settings = settings_.run;
+  run::RunSettings run_settings = run_settings_;
   run_settings.seed = seed;
   if (documents_.is_trial()) run_settings.executive.patience = 0.0;  // what is tried need not get anywhere
   workshop_->start([this, number, mission = plain_, run_settings, made_of = files_,
@@ -212,7 +209,7 @@ void RunMaker::adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run,
   std::unique_ptr<history::Recorder> recorder;
   if (run) {
     run->set_meanwhile(meanwhile_);
-    recorder = recorder_of(*run);
+    recorder = chronicle_.begin(*run);
   }
   run_.adopt(crew, std::move(run), std::move(recorder));
   parameters_.apply_all();
@@ -220,20 +217,79 @@ void RunMaker::adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run,
   answer_trial(run_.live() != nullptr ? "" : "it can't run: it has errors", problems);
 }
 
-// Null: runs are not recorded.
-std::unique_ptr<history::Recorder> RunMaker::recorder_of(run::MissionRun& run) {
-  if (!settings_.record.is_on) return nullptr;
-  const auto place = [this, mission = run.mission().source
-                                          ? run.mission().source->name()
-                                          : std::string()]() -> std::expected<std::string, std::string> {
-    if (!settings_.record.file.empty() && !std::exchange(has_named_recording_, true))
-      return settings_.record.file;
-    return shelf_.place_for(mission, system_time());
+// ---- a run that was cut off
+
+void RunMaker::resume(const std::shared_ptr<const journal::Kept>& kept, std::function<void()> done) {
+  const std::uint64_t number = ++number_;
+  answer_trial("another run has taken its place", {});
+  take_notices();
+  parameters_.recall(kept->history->inputs());
+  seed_ = kept->history->beginning().seed();
+  from_documents_ = plain_ = documents_.mission();
+  typed_edits_.clear();
+  run_.expect();
+  const std::shared_ptr<RunJournal> journal = chronicle_.held_journal();
+  ResumeParts parts;
+  parts.tools = {settings_.permission, settings_.include_root, settings_.version,
+                 settings_.limits,     settings_.run.threads,  settings_.in_own_processes};
+  parts.version = settings_.version;
+  parts.place = chronicle_.place_anew(kept->history->beginning().mission().path());
+  const auto entries = std::make_shared<HistoryEntries>();
+  parts.hear = Chronicle::listener_of(journal, entries);
+  workshop_->start([this, number, kept, journal, entries, parts = std::move(parts), done = std::move(done)] {
+    const auto resumed =
+        std::make_shared<ResumedRun>(resume_run(*kept, parts, [&] { return number != number_; }));
+    inbox_.post([this, number, kept, journal, entries, resumed, done] {
+      if (number != number_) return;
+      finish_resumption(std::move(*resumed), kept, journal, entries, done);
+    });
+  });
+}
+
+void RunMaker::finish_resumption(ResumedRun resumed, const std::shared_ptr<const journal::Kept>& kept,
+                                 std::shared_ptr<RunJournal> journal, std::shared_ptr<HistoryEntries> entries,
+                                 const std::function<void()>& done) {
+  if (!resumed.live) {
+    load(seed_);
+    done();
+    log_.add(0.0,
+             {Log::WARNING, fmt::format("the run can't be gone on with: {}", resumed.why), 0, "", {}, true});
+    return;
+  }
+  run::MissionRun& run = resumed.live->run();
+  run.set_meanwhile(meanwhile_);
+  resumed.live->go_on_in(log_);
+  for (Log::Entry& one : resumed.told) log_.add_told(std::move(one));
+  plain_ = run.crew()->mission;
+  typed_edits_ = plain_->typed;
+  made_of_ = files_;
+  run_settings_.environment = run.settings().environment;
+  run_settings_.executive = run.settings().executive;
+  chronicle_.go_on(std::move(journal), run, kept, std::move(entries));
+  const double time = run.time();
+  run_.adopt(std::move(resumed.live));
+  log_.add(time,
+           {Log::MESSAGE, fmt::format("the run goes on as it stood at {:.1f} s", time), 0, "", {}, false});
+  done();  // what it brings back is written before the journal that it came from goes
+  follow_changes_since();
+  chronicle_.keep_now();
+}
+
+void RunMaker::follow_changes_since() {
+  if (!from_documents_) return;
+  const auto texts_of = [](const mission::Mission& mission) {
+    std::vector<std::string_view> out = {mission.source->text()};
+    for (const text::SourcePtr& one : mission.texts) out.push_back(one->text());
+    return out;
   };
-  return std::make_unique<history::Recorder>(
-      place, run,
-      history::Circumstances{settings_.version, settings_.overlay_folders, documents_.load_options().seed,
-                             system_time()});
+  if (!from_documents_->source || texts_of(*from_documents_) == texts_of(*plain_)) return;
+  log_.add(run_.sim_time(), {Log::EDIT,
+                             "the mission was changed meanwhile: the run goes on with what it is now",
+                             0,
+                             "",
+                             {},
+                             false});
+  follow_edited_mission();
 }
 
 void RunMaker::report_problems(const text::Diagnostics& problems) {

@@ -10,12 +10,12 @@
 
 #include "mlab/console/documents/documents.h"
 #include "mlab/console/inbox.h"
+#include "mlab/console/run/resumed_run.h"
 #include "mlab/console/session.h"
+#include "mlab/console/session/chronicle.h"
 #include "mlab/console/session/robot_parameters.h"
 #include "mlab/console/session/run_control.h"
 #include "mlab/console/workshop.h"
-#include "mlab/history/recorder.h"
-#include "mlab/history/shelf.h"
 
 namespace mlab::console {
 
@@ -31,6 +31,7 @@ class RunMaker {
     RobotParameters& parameters;
     EventLog& log;
     Inbox& inbox;
+    Chronicle& chronicle;
   };
   /// @param meanwhile  what a run calls while it waits for a robot's own process: true ends the wait
   RunMaker(const Parts& parts, std::function<bool()> meanwhile);
@@ -46,6 +47,10 @@ class RunMaker {
   void follow_documents();
   /// Opens a mission that has no file, or gives its run other programs, and tells once what became of it.
   void start_trial(const Trial& trial, TrialDone done);
+
+  /// Goes on with a run that was cut off. The mission that it is of is open.
+  /// @param done  called once it is there
+  void resume(const std::shared_ptr<const journal::Kept>& kept, std::function<void()> done);
 
   Answered restart(const Sender& sender, const Control& control);
   Answered typed(const Sender& sender, const Typed& typed, Reply& reply);
@@ -70,7 +75,6 @@ class RunMaker {
 
   /// @param known  programs that need not be built again; null: none
   void load(std::uint64_t seed, const CrewPtr& known = nullptr);
-  std::unique_ptr<history::Recorder> recorder_of(run::MissionRun& run);
   bool are_programs_old() const { return made_of_ != files_; }
   void adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run, const text::Diagnostics& problems);
   void take_over(const Trial& trial, const TrialDone& done);
@@ -85,6 +89,11 @@ class RunMaker {
   /// @return false: what it needs is being made, it will happen later
   bool change_mission(MissionPtr plain);
   void exchange(std::uint64_t number, const CrewPtr& crew, const text::Diagnostics& problems);
+  void finish_resumption(ResumedRun resumed, const std::shared_ptr<const journal::Kept>& kept,
+                         std::shared_ptr<RunJournal> journal, std::shared_ptr<HistoryEntries> entries,
+                         const std::function<void()>& done);
+  /// Texts may have changed while nobody was here.
+  void follow_changes_since();
   void report_problems(const text::Diagnostics& problems);
 
   const SessionSettings& settings_;
@@ -93,13 +102,13 @@ class RunMaker {
   RobotParameters& parameters_;
   EventLog& log_;
   Inbox& inbox_;
+  Chronicle& chronicle_;
   const std::function<bool()> meanwhile_;
-  const history::Shelf shelf_;
-  bool has_named_recording_ = false;  // the first run is recorded in the file that was named
 
   /// Number of the last load or change of the mission; what older ones bring is thrown away.
   std::atomic<std::uint64_t> number_ = 0;
   std::uint64_t seed_ = 1;
+  run::RunSettings run_settings_;         // of the next run, but for its seed
   std::uint64_t files_ = 0;               // how often files of programs have changed
   std::uint64_t made_of_ = 0;             // the same when the programs of what runs were made
   MissionPtr from_documents_;             // that the run follows

@@ -176,11 +176,11 @@ Answered RunOrders::answer(const Sender& sender, const Answer& answer) {
   const auto& questions = live->run().state().questions;
   const auto open = std::ranges::find(questions, answer.question(), &mission::Question::id);
   if (open == questions.end()) return "this question is no longer open";
-  const auto text = live->question_texts().find(answer.question());
+  const auto text = live->notes().question_texts().find(answer.question());
   log_.add(run_.sim_time(),
            {Log::ANSWER,
             fmt::format("{}: {} to `{}`", sender.client.name, answer.proceed() ? "yes" : "no",
-                        text == live->question_texts().end() ? "" : text->second),
+                        text == live->notes().question_texts().end() ? "" : text->second),
             0,
             "",
             {},

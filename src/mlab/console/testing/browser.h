@@ -145,6 +145,11 @@ class Browser {
   const Halted& halted() const { return halted_; }
   const HeldValues& held() const { return held_; }
   const Failsafes& failsafes() const { return failsafes_; }
+  const TimeLine& time_line() const { return time_line_; }
+  const Moment& moment() const { return moment_; }
+  const Journal& journal() const { return journal_; }
+  const Bookmarks& bookmarks() const { return bookmarks_; }
+  const OtherFuture& other_future() const { return other_future_; }
   /// How the table stands for a robot, and how many frames told of it.
   const FailsafeStandings& standings(std::uint32_t robot) { return standings_[robot]; }
   std::uint64_t standings_count() const { return standings_count_; }
@@ -212,6 +217,9 @@ class Browser {
       case ToBrowser::kEdits:
         edits_ = message.edits();
         break;
+      case ToBrowser::kOtherFuture:
+        other_future_ = message.other_future();
+        break;
       case ToBrowser::kDocuments:
         documents_ = message.documents();
         break;
@@ -230,8 +238,20 @@ class Browser {
       case ToBrowser::kFailsafes:
         failsafes_ = message.failsafes();
         break;
+      case ToBrowser::kTimeLine:
+        time_line_ = message.time_line();
+        break;
+      case ToBrowser::kMoment:
+        moment_ = message.moment();
+        break;
       case ToBrowser::kHalted:
         halted_ = message.halted();
+        break;
+      case ToBrowser::kBookmarks:
+        bookmarks_ = message.bookmarks();
+        break;
+      case ToBrowser::kJournal:
+        journal_ = message.journal();
         break;
       case ToBrowser::kBeat:
         beat_ = message.beat().number();
@@ -280,6 +300,11 @@ class Browser {
   Halted halted_;
   HeldValues held_;
   Failsafes failsafes_;
+  TimeLine time_line_;
+  Moment moment_;
+  Journal journal_;
+  Bookmarks bookmarks_;
+  OtherFuture other_future_;
   std::map<std::uint32_t, FailsafeStandings> standings_;
   std::uint64_t standings_count_ = 0;
   std::vector<Log::Entry> log_;

@@ -232,7 +232,10 @@ void Trials::find_live(const FindLive& request, Answer& out) {
       live.add_places()->set_path(planned->place);
     return;
   }
-  if (!last_.model) return;
+  if (!last_.model) {
+    add_others(request, *document, live);
+    return;
+  }
   const bool was_tried = last_.document == document->path;
   const std::string& source = (was_tried ? last_.model : document->model)->source()->name();
   // A library's page is declared by the library, whichever document is tried.
@@ -242,6 +245,28 @@ void Trials::find_live(const FindLive& request, Answer& out) {
       LivePaths::At& at = *live.add_places();
       at.set_program(program);
       at.set_path(path);
+    }
+  }
+}
+
+// Robots of a mission's own, or of a recording, that this text declares, as far as a name tells: a mission
+// names the file, and the robot where there are several.
+void Trials::add_others(const FindLive& request, const OpenConfiguration& document, LivePaths& out) {
+  const std::string file = fs::path(document.path).filename().string();
+  const auto& robots = document.model->configuration().own_robots;
+  for (const std::string& program : request.programs()) {
+    const std::size_t hash = program.find('#');
+    if (fs::path(program.substr(0, hash)).filename() != file) continue;
+    if (hash == std::string::npos && robots.size() != 1) continue;
+    for (const cdl::Robot* robot : robots) {
+      const std::string& name = robot->name.text;
+      if (hash != std::string::npos && program.substr(hash + 1) != name) continue;
+      for (const std::string& path :
+           live_paths(*document.model, name, document.model->source()->name(), request.page())) {
+        LivePaths::At& at = *out.add_places();
+        at.set_program(program);
+        at.set_path(path);
+      }
     }
   }
 }

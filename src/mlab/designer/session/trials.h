@@ -75,6 +75,7 @@ class Trials {
   text::Result<TrialField> field_of(const Try& request, const console::Trial& trial);
 
  private:
+  static void add_others(const FindLive& request, const OpenConfiguration& document, LivePaths& out);
   text::Result<TrialConfiguration> as_it_is_tried(const OpenConfiguration& document);
   struct Ready {
     console::Trial trial;

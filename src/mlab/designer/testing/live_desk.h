@@ -119,10 +119,13 @@ class LiveDesk {
       if (more) more(request);
     });
   }
-  std::vector<std::string> live(const std::string& document, const std::string& page) {
+  /// @param programs  of robots that nobody has tried here
+  std::vector<std::string> live(const std::string& document, const std::string& page,
+                                const std::vector<std::string>& programs = {}) {
     const Answer answer = ask([&](ToDesigner& m) {
       m.mutable_find_live()->set_document(document);
       m.mutable_find_live()->set_page(page);
+      for (const std::string& program : programs) m.mutable_find_live()->add_programs(program);
     });
     std::vector<std::string> out;
     for (const LivePaths::At& at : answer.live().places()) out.push_back(at.program() + ":" + at.path());

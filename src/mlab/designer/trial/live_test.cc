@@ -77,6 +77,16 @@ TEST(Live, FindsAPageInAllPlacesWhereItRuns) {
   EXPECT_TRUE(desk.live(path, "Nothing").empty());
 }
 
+TEST(Live, FindsAPageInProgramsThatWereNotTriedHere) {
+  LiveDesk desk;
+  const std::string path = desk.open(kForager);
+  using Places = std::vector<std::string>;
+  EXPECT_EQ(desk.live(path, "Wander", {"forager.cdl"}), Places{"forager.cdl:movement.Searching"});
+  EXPECT_EQ(desk.live(path, "Forage", {"sheep.cdl", "robots/forager.cdl#Forager"}),
+            Places{"robots/forager.cdl#Forager:movement"});
+  EXPECT_TRUE(desk.live(path, "Forage", {"forager.cdl#Other", "sheep.cdl", "robot", ""}).empty());
+}
+
 TEST(Live, KnowsBeforeItRunsWhereAPageWould) {
   LiveDesk desk;
   const std::string path = desk.open(kForager);

@@ -41,7 +41,7 @@ std::shared_ptr<const run::Crew> crew_of(const std::shared_ptr<const mission::Mi
 
 }  // namespace
 
-WrittenRun::WrittenRun(const std::string& file, std::uint64_t seed, bool proceeds)
+WrittenRun::WrittenRun(const std::string& file, std::uint64_t seed, bool proceeds, bool is_in_real_time)
     : path_(base::source_folder() + "/missions/" + file), writer_([this](const wire::HistoryEntry& entry) {
         entries_.push_back(entry);
         const auto problem = history_->add(entry);
@@ -53,6 +53,7 @@ WrittenRun::WrittenRun(const std::string& file, std::uint64_t seed, bool proceed
   run::RunSettings settings;
   settings.seed = seed;
   settings.executive.proceed_all = proceeds;
+  settings.is_in_real_time = is_in_real_time;
   run_ = simulated::make_run(crew, settings);
   run_->set_observer([this](const mission::Effect& effect) { writer_.see(effect); });
   writer_.begin(*run_, {"test", {}, 5, 0.0});
@@ -62,7 +63,7 @@ WrittenRun::WrittenRun(const std::string& file, std::uint64_t seed, bool proceed
 bool WrittenRun::step() {
   if (run_->step() != run::MissionRun::Progress::kStepped) return false;
   writer_.note_cycle();
-  values_.push_back(all_of(*run_));
+  values_.push_back(run_->is_in_real_time() ? all_outside_of_programs(*run_) : all_of(*run_));
   return true;
 }
 
@@ -130,6 +131,9 @@ void add_robot(const run::MissionRun& run, const fleet::FleetRobot& robot, Sum& 
     out << std::uint64_t{place.from.value} << place.place.x << place.place.y << place.time;
   for (const percept::Claim& claim : told.claims)
     out << std::uint64_t{claim.robot.value} << std::uint64_t{claim.object.value};
+}
+
+void add_program(const fleet::FleetRobot& robot, Sum& out) {
   const robot::Workings workings = robot.workings();
   if (!workings) return;
   for (const std::string& value : simulated::testing::values_of(robot)) out << value;
@@ -150,7 +154,8 @@ void add_records(const run::MissionRun& run, Sum& out) {
   out << std::uint64_t{run.stands_still_for_operator()} << std::uint64_t{run.moment().has_looked};
   out << std::uint64_t{run.answers().size()} << std::uint64_t{run.interventions().size()};
   out << std::uint64_t{run.deliveries().size()} << std::uint64_t{run.failsafes().size()};
-  for (const run::UnitMetrics& metrics : run.unit_metrics()) out << metrics.error_sum << metrics.samples;
+  for (const run::UnitMetrics& metrics : run.unit_metrics())
+    out << metrics.error_sum << metrics.samples << metrics.driven << metrics.straight();
   const mission::State& state = run.state();
   out << std::uint64_t{state.paused} << std::uint64_t{state.questions.size()};
   for (const mission::RobotState& robot : state.robots)
@@ -162,13 +167,21 @@ void add_records(const run::MissionRun& run, Sum& out) {
 
 }  // namespace
 
-std::uint64_t all_of(const run::MissionRun& run) {
+std::uint64_t all_outside_of_programs(const run::MissionRun& run) {
   Sum out(digest_of(run));
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     if (robot.life != fleet::RobotLife::kNotStarted) add_robot(run, robot, out);
   }
   add_world(run, out);
   add_records(run, out);
+  return out.value();
+}
+
+std::uint64_t all_of(const run::MissionRun& run) {
+  Sum out(all_outside_of_programs(run));
+  for (const fleet::FleetRobot& robot : run.fleet().robots()) {
+    if (robot.life != fleet::RobotLife::kNotStarted) add_program(robot, out);
+  }
   return out.value();
 }
 

@@ -16,15 +16,18 @@ class WrittenRun {
  public:
   /// @param file  relative to the project's folder `missions`
   /// @param proceeds  each question is answered with yes at once
-  explicit WrittenRun(const std::string& file, std::uint64_t seed = 1, bool proceeds = false);
+  /// @param is_in_real_time  what robots answer is written, as if they were elsewhere and nobody waited for
+  /// them
+  explicit WrittenRun(const std::string& file, std::uint64_t seed = 1, bool proceeds = false,
+                      bool is_in_real_time = false);
 
   run::MissionRun& run() { return *run_; }
   /// One cycle. False where no time passed.
   bool step();
-  void end() { writer_.end("interrupted"); }
+  void end(const std::string& outcome = "interrupted") { writer_.end(outcome); }
   /// What was written so far; it grows.
   std::shared_ptr<const History> history() const { return history_; }
-  /// What all robots held after each cycle, as numbers.
+  /// What all robots held after each cycle, as numbers; in real time without what their programs held.
   const std::vector<std::uint64_t>& values() const { return values_; }
   const std::vector<wire::HistoryEntry>& entries() const { return entries_; }
 
@@ -44,5 +47,7 @@ class WrittenRun {
 
 /// Poses, states and the value of every port of every robot; bodies and the world; what was noted of the run.
 std::uint64_t all_of(const run::MissionRun& run);
+/// The same, but for what programs hold.
+std::uint64_t all_outside_of_programs(const run::MissionRun& run);
 
 }  // namespace mlab::history::testing

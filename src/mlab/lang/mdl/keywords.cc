@@ -69,6 +69,8 @@ constexpr auto kOwn = std::to_array<Keyword>({
     word("MIN-OBSTACLE-RADIUS", Word::kMinObstacleRadius),
     word("MAX-OBSTACLE-RADIUS", Word::kMaxObstacleRadius),
     word("CYCLE-DURATION", Word::kCycleDuration),
+    word("FAILING-ROBOTS", Word::kFailingRobots),
+    word("FAILURES-WITHIN", Word::kFailuresWithin),
     word("DEBUG-ROBOTS", Word::kDebugRobots),
     word("DEBUG-SIMULATOR", Word::kDebugSimulator),
     word("DEBUG-SCHEDULER", Word::kDebugScheduler),

@@ -51,6 +51,7 @@ using SocietyReader = std::function<std::optional<std::vector<std::pair<std::str
 /// - a number that SET gives: `OBSTACLE-COVERAGE`, in all of the mission
 /// - `OVERLAY`, the file in place of the overlay that the mission names; where it names several,
 ///   `OVERLAY:democ.odl` says which
+/// - `FORMATION`, in place of each formation that a command of the plan names, but for No-Formation
 struct Setting {
   std::string name;
   std::string value;

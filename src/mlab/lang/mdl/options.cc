@@ -41,6 +41,10 @@ Range range_of(NumberOption option, const mission::Options& options, overlay::Ar
       return {10.0, 400.0, " per cent"};
     case NumberOption::kCycleDuration:
       return {0.01, 1.0, " seconds"};
+    case NumberOption::kFailingRobots:
+      return {0.0, 65535.0, ""};
+    case NumberOption::kFailuresWithin:
+      return {0.0, 1e6, " seconds"};
   }
   return {};
 }
@@ -92,6 +96,12 @@ void apply_number(mission::SetNumber set, mission::Options& options) {
     case NumberOption::kCycleDuration:
       options.cycle_duration = set.value;
       break;
+    case NumberOption::kFailingRobots:
+      options.failing_robots = set.value;
+      break;
+    case NumberOption::kFailuresWithin:
+      options.failures_within = set.value;
+      break;
   }
 }
 
@@ -110,6 +120,12 @@ std::optional<mission::Command> read_set(const statement::Set& set, const missio
     diagnostics.error("number-out-of-range", {source, set.number->span},
                       fmt::format("{} goes from {:g} to {:g}{}, found {}", source->text(set.option_span),
                                   range.low, range.high, range.unit, in_backticks(set.number->text)));
+    return std::nullopt;
+  }
+  if (option == NumberOption::kFailingRobots && value != std::floor(value)) {
+    diagnostics.error("not-whole", {source, set.number->span},
+                      fmt::format("{} takes a whole number, found {}", source->text(set.option_span),
+                                  in_backticks(set.number->text)));
     return std::nullopt;
   }
   // Historic seeds went through a 32-bit number with a point, so 945816565 always meant 945816576.

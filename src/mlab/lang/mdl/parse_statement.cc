@@ -39,6 +39,8 @@ constexpr auto kOptions = std::to_array<OptionWord>({
     {Word::kMaxObstacleRadius, NumberOption::kMaxObstacleRadius, false},
     {Word::kZoomFactor, NumberOption::kZoomFactor, false},
     {Word::kCycleDuration, NumberOption::kCycleDuration, true},
+    {Word::kFailingRobots, NumberOption::kFailingRobots, false},
+    {Word::kFailuresWithin, NumberOption::kFailuresWithin, false},
 });
 
 const std::vector<std::string>& statement_words(Section section) {

@@ -81,6 +81,10 @@ std::string_view text_of(mission::NumberOption option) {
       return "MAX-OBSTACLE-RADIUS";
     case mission::NumberOption::kZoomFactor:
       return "ZOOM-FACTOR";
+    case mission::NumberOption::kFailingRobots:
+      return "FAILING-ROBOTS";
+    case mission::NumberOption::kFailuresWithin:
+      return "FAILURES-WITHIN";
     default:
       return "CYCLE-DURATION";
   }

@@ -10,6 +10,7 @@
 
 #include "mlab/lang/mdl/options.h"
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/percept/formation_names.h"
 
 namespace mlab::mdl {
 namespace {
@@ -44,11 +45,15 @@ std::vector<mission::RobotType*> types_of(mission::Mission& mission, std::string
 Settings::Settings(const std::vector<Setting>& all, text::Diagnostics& diagnostics)
     : diagnostics_(diagnostics) {
   for (const Setting& setting : all) {
-    Kept kept{&setting, number_option(setting.name), false, {}, setting.name, false};
+    Kept kept;
+    kept.setting = &setting;
+    kept.number = number_option(setting.name);
+    kept.name = setting.name;
     if (const std::size_t colon = kept.name.find(':'); colon != std::string_view::npos) {
       kept.of = kept.name.substr(0, colon);
       kept.name = kept.name.substr(colon + 1);
     }
+    kept.is_formation = kept.of.empty() && are_same(kept.name, "FORMATION");
     kept.is_overlay = are_same(kept.of.empty() ? kept.name : kept.of, "OVERLAY");
     std::erase_if(all_, [&](const Kept& before) { return are_same(before.setting->name, setting.name); });
     all_.push_back(kept);
@@ -119,9 +124,37 @@ void Settings::set_numbers(mission::Step& step, const mission::Options& options)
   }
 }
 
+void Settings::set_formations(std::vector<mission::Step>& steps) {
+  for (const Kept& kept : all_) {
+    if (!kept.is_formation) continue;
+    const auto formation = percept::formation_named(kept.setting->value);
+    if (!formation) {
+      std::vector<std::string> known;
+      for (const percept::FormationInfo& one : percept::kFormations) known.emplace_back(one.name);
+      diagnostics_.error("unknown-formation", kept.setting->value_place,
+                         fmt::format("expected a formation ({}), found {}", listed(known, " or "),
+                                     in_backticks(kept.setting->value)));
+      continue;
+    }
+    bool was_used = false;
+    for (mission::Step& step : steps) {
+      for (mission::Command& one : step.commands) {
+        auto* const command = std::get_if<mission::UnitCommand>(&one);
+        if (command == nullptr || !command->has_formation || command->formation == percept::Formation::kNone)
+          continue;
+        command->formation = *formation;
+        was_used = true;
+      }
+    }
+    if (!was_used)
+      diagnostics_.error("no-formation", kept.setting->name_place,
+                         "no command of the mission names a formation that another could stand in for");
+  }
+}
+
 void Settings::set_parameters(mission::Mission& mission, bool is_damaged) {
   for (const Kept& kept : all_) {
-    if (kept.was_used || kept.number) continue;
+    if (kept.was_used || kept.number || kept.is_formation) continue;
     const Setting& setting = *kept.setting;
     if (kept.is_overlay) {
       diagnostics_.error("unknown-overlay", setting.name_place,

@@ -31,6 +31,8 @@ class Settings {
   void set_numbers(mission::Options& options, overlay::Area area);
   /// Those that a step sets itself.
   void set_numbers(mission::Step& step, const mission::Options& options) const;
+  /// The formations that steps name.
+  void set_formations(std::vector<mission::Step>& steps);
 
   /// Adds parameters to types, and says what was meant for nothing that the mission has.
   /// @param is_damaged  a type is missing because of a mistake that was told
@@ -41,6 +43,7 @@ class Settings {
     const Setting* setting = nullptr;
     std::optional<mission::NumberOption> number;
     bool is_overlay = false;
+    bool is_formation = false;
     std::string_view of;    // `scout` of `scout:base_velocity`; empty: all
     std::string_view name;  // without it
     bool was_used = false;  // or is told to be wrong

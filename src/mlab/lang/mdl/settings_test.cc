@@ -126,6 +126,34 @@ TEST_F(MdlSettings, PutAnotherOverlayInPlaceOfOne) {
   EXPECT_NE(missing.find("--set:1:9: error: there is no overlay `d.odl`"), std::string::npos) << missing;
 }
 
+TEST_F(MdlSettings, PutAFormationInPlaceOfThoseOfTheCommands) {
+  const std::string text =
+      "UNIT <u> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT u START 5 5\n1. UNIT u MOVETO 60 60 FORMATION Column\n"
+      "2. UNIT u MOVETO 90 90 No-Formation\n3. UNIT u SWEEPTO 5 90\n";
+  const auto mission = read(text, {{"FORMATION", "Wedge"}});
+  ASSERT_NE(mission, nullptr) << text::render(sink);
+  const auto formation_of = [&](std::size_t step) {
+    return std::get<mission::UnitCommand>(mission->steps[step].commands[0]).formation;
+  };
+  EXPECT_EQ(formation_of(1), percept::Formation::kWedge);
+  EXPECT_EQ(formation_of(2), percept::Formation::kNone);
+  EXPECT_EQ(formation_of(3), percept::Formation::kNone) << "it names none";
+  EXPECT_NE(errors(text, {{"FORMATION", "Circle"}}).find("expected a formation (No-Formation, Line,"),
+            std::string::npos);
+  EXPECT_NE(errors(kField, {{"FORMATION", "Wedge"}}).find("no command of the mission names a formation"),
+            std::string::npos);
+}
+
+TEST_F(MdlSettings, LetAWholeNumberOfRobotsFail) {
+  const auto mission = read(kField, {{"FAILING-ROBOTS", "2"}, {"FAILURES-WITHIN", "30.5"}});
+  ASSERT_NE(mission, nullptr) << text::render(sink);
+  EXPECT_EQ(mission->options.failing_robots, 2.0);
+  EXPECT_EQ(mission->options.failures_within, 30.5);
+  EXPECT_NE(errors(kField, {{"FAILING-ROBOTS", "1.5"}}).find("takes a whole number, found `1.5`"),
+            std::string::npos);
+  EXPECT_NE(errors(kField, {{"FAILING-ROBOTS", "-1"}}).find("goes from 0 to 65535"), std::string::npos);
+}
+
 TEST_F(MdlSettings, CountOnceAndTheLastTime) {
   const auto mission = read(kField, {{"OBSTACLE-COVERAGE", "10"}, {"OBSTACLE-COVERAGE", "2"}});
   ASSERT_NE(mission, nullptr) << text::render(sink);

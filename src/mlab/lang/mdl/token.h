@@ -58,6 +58,8 @@ enum class Word : std::uint8_t {
   kMinObstacleRadius,
   kMaxObstacleRadius,
   kCycleDuration,
+  kFailingRobots,
+  kFailuresWithin,
   kDebugRobots,
   kDebugSimulator,
   kDebugScheduler,

@@ -233,7 +233,7 @@ std::optional<BuiltProgram> host_network(const flow::Network& network, Procedure
   }
   hosted.load = compiled(network, files, sources, sink);
   if (!hosted.load) return std::nullopt;
-  const std::string runner = runner_path();
+  const std::string runner = sources.runner.empty() ? runner_path() : sources.runner;
   if (runner.empty()) return refuse("`mlab-robots` is not beside this program");
   hosted.is_for_one_robot = sources.in_own_processes;
   hosted.limits = sources.limits;

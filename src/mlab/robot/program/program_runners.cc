@@ -18,18 +18,26 @@ std::vector<flow::Restart> ProgramRunner::go_on_from(Member member, const RobotV
   return values(member)->go_on_from(before);
 }
 
-ProgramRunners::ProgramRunners(std::uint64_t seed, int processes, std::unique_ptr<ProgramRunner> elsewhere) {
-  all_.push_back(std::make_unique<InProcessRunner>(seed));
-  all_.push_back(std::make_unique<HostedRunner>(seed, processes));
-  all_.push_back(std::make_unique<ExecutableRunner>(seed, processes));
-  if (elsewhere) all_.push_back(std::move(elsewhere));
+ProgramRunners::ProgramRunners(std::uint64_t seed, int processes, std::unique_ptr<ProgramRunner> elsewhere,
+                               std::unique_ptr<ProgramRunner> recorded) {
+  const auto add = [this](std::unique_ptr<ProgramRunner> runner) {
+    ProgramRunner* const out = runner.get();
+    if (runner) all_.push_back(std::move(runner));
+    return out;
+  };
+  in_process_ = add(std::make_unique<InProcessRunner>(seed));
+  hosted_ = add(std::make_unique<HostedRunner>(seed, processes));
+  executables_ = add(std::make_unique<ExecutableRunner>(seed, processes));
+  elsewhere_ = add(std::move(elsewhere));
+  recorded_ = add(std::move(recorded));
 }
 
 ProgramRunner* ProgramRunners::runner_of(const RobotProgram& program) const {
-  if (program.native) return all_[2].get();
+  if (program.recorded) return recorded_;
+  if (program.native) return executables_;
   if (!program.program) return nullptr;
-  if (all_.size() > 3 && (program.origin || program.executable)) return all_[3].get();
-  return (program.hosted ? all_[1] : all_[0]).get();
+  if (elsewhere_ != nullptr && program.can_be_elsewhere()) return elsewhere_;
+  return program.hosted ? hosted_ : in_process_;
 }
 
 }  // namespace mlab::robot

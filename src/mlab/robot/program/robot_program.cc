@@ -140,6 +140,10 @@ std::string in_coordinates(const flow::Port& port, const std::string& value, con
 }
 
 std::optional<double> RobotProgram::number(std::string_view path) const {
+  if (recorded) {
+    const auto known = recorded->numbers.find(path);
+    return known != recorded->numbers.end() ? std::optional(known->second) : std::nullopt;
+  }
   if (native) {
     const wire::Port* port = native->find(path);
     return port != nullptr && port->value().has_number() ? std::optional(port->value().number())
@@ -257,6 +261,14 @@ void take_revealed(RevealedProgram revealed, RobotProgram& robot) {
   robot.executable = {last_part(robot.name), revealed.source};
 }
 
+// What it answered is known, and no more.
+RobotProgram as_recorded(RobotProgram robot) {
+  robot.is_own = true;
+  robot.body = robot.recorded->body;
+  robot.reports = robot.recorded->reports;
+  return robot;
+}
+
 }  // namespace
 
 std::optional<RobotProgram> load_program(const std::string& name, const text::Place& place,
@@ -267,6 +279,8 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
   RobotProgram robot;
   robot.name = name;
   robot.type = type;
+  if (sources.recorded) robot.recorded = sources.recorded(name, type);
+  if (robot.recorded) return as_recorded(std::move(robot));
   const auto take = [&robot](BuiltProgram program) {
     robot.program = std::move(program.program);
     robot.hosted = std::move(program.hosted);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -67,6 +68,16 @@ struct BuiltProgram {
   bool is_described_only = false;
 };
 
+/// A program of which only is known what it answered in a run that was recorded, cycle by cycle: it is in an
+/// executable, which is not started.
+struct RecordedProgram {
+  std::uint64_t build = 0;                             ///< where it is the same, so is the program
+  bool is_open = false;                                ///< in that run its values could be seen
+  bool reports = true;                                 ///< as RobotProgram
+  std::map<std::string, double, std::less<>> numbers;  ///< of parameters, before the first cycle, in SI units
+  std::map<std::string, double> body;                  ///< as RobotProgram
+};
+
 /// The program of one robot type, with the type's parameters set. Shared by all robots of the type.
 struct RobotProgram {
   std::string name;  ///< as the mission writes it
@@ -81,6 +92,8 @@ struct RobotProgram {
       {};  ///< what a configuration says of the body: `radius`, ... in SI units
   std::shared_ptr<const NativeProgram> native = nullptr;  ///< runs in processes of its own; then no `program`
 
+  std::shared_ptr<const RecordedProgram> recorded = nullptr;  ///< not null: neither `program` nor `native`
+
   std::shared_ptr<const ProgramOrigin> origin = nullptr;  ///< null: it is in an executable
   std::optional<ExecutableOrigin> executable = {};  ///< nothing: it is in none, or in one that is closed
   std::string host = {};  ///< machine whose agent may carry such robots, as the mission says; empty: any
@@ -90,7 +103,13 @@ struct RobotProgram {
   bool reports = true;  ///< false: nothing in it ever says how far the robot is with an order
 
   /// Somebody answers to the name.
-  bool can_run() const { return program != nullptr || native != nullptr; }
+  bool can_run() const { return program != nullptr || native != nullptr || recorded != nullptr; }
+  /// What it computes is in nobody's text.
+  bool is_in_executable() const { return native != nullptr || executable || recorded != nullptr; }
+  /// It is in an executable that keeps its values to itself.
+  bool is_closed() const { return native != nullptr || (recorded != nullptr && !recorded->is_open); }
+  /// It can be built and computed on another machine.
+  bool can_be_elsewhere() const { return program != nullptr && (origin != nullptr || executable); }
   /// What a parameter or constant holds before the first cycle, in SI units; nothing where there is none of
   /// that path, or it is no number.
   std::optional<double> number(std::string_view path) const;
@@ -112,6 +131,11 @@ struct ProgramSources {
   std::string project = {};        ///< folder that programs, and what they use, come from; empty: any
   const Places* places = nullptr;  ///< of the mission; null: there is none, and places lie anywhere
   std::stop_token ends = {};       ///< stops a C++ compiler that is at work: nobody waits for it any more
+  std::string runner = {};         ///< the program `mlab-robots`; empty: the one beside this program
+  /// Programs of which only is known what they answered, by name and type of robots; null where it is none of
+  /// these. Empty: there are none.
+  std::function<std::shared_ptr<const RecordedProgram>(const std::string& name, std::string_view type)>
+      recorded = {};
 };
 
 /// Finds and builds the program of a robot type and sets its parameters.

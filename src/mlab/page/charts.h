@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mlab/statistics/samples.h"
@@ -11,7 +12,7 @@
 
 // Pieces of a page: rows of a label, a drawing that takes the width there is, and a figure. Letters are the
 // page's own, so that they stay readable however narrow it is.
-namespace mlab::study {
+namespace mlab::page {
 
 /// Where an axis begins and ends, and what stands at it.
 struct Axis {
@@ -46,11 +47,29 @@ struct SampleRow {
 /// @param width  of the bars, in the axis' unit
 std::string sample_row(const SampleRow& row, const Axis& axis, double width);
 
+/// Places or values in a row; one that is no number interrupts it.
+using Points = std::vector<std::pair<double, double>>;
+struct Line {
+  Points points;
+  bool is_second = false;  ///< in the second colour
+};
+
+/// Values over an axis as lines, from 0 at the bottom to `top`.
+struct LineRow {
+  std::string label;
+  std::vector<Line> lines;
+  double top = 1.0;
+  std::string figure;
+  std::optional<double> mark;  ///< a place of the axis at which a line stands
+};
+std::string line_row(const LineRow& row, const Axis& axis);
+
+/// Ways seen from above, in one scale for both axes, y upwards.
+/// @param said  what there is to see, for who doesn't
+std::string ways(const std::vector<Line>& lines, std::string_view said);
+
 /// The rows of a table, the first one its head. What is longer than the page is scrolled by itself.
 std::string table(std::string_view caption, const std::vector<std::vector<std::string>>& rows,
                   std::size_t left_columns);
 
-/// What the page looks like, light and dark.
-std::string_view page_style();
-
-}  // namespace mlab::study
+}  // namespace mlab::page

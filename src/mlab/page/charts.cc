@@ -1,14 +1,15 @@
-#include "mlab/study/charts.h"
+#include "mlab/page/charts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/core.h>
 
-#include "mlab/study/words.h"
+#include "mlab/page/numbers.h"
 #include "mlab/text/escape.h"
 
-namespace mlab::study {
+namespace mlab::page {
 namespace {
 
 constexpr double kHeight = 30.0;  // of a drawing, in the units of its view box
@@ -112,6 +113,73 @@ std::string sample_row(const SampleRow& row, const Axis& axis, double width) {
                 fmt::format("{}: median and 90 % of the runs: {}", row.label, figure), drawing, figure);
 }
 
+namespace {
+
+bool is_number(const std::pair<double, double>& point) {
+  return std::isfinite(point.first) && std::isfinite(point.second);
+}
+
+template <class Placed>
+std::string path_of(const Line& line, Placed placed) {
+  std::string d;
+  bool is_open = false;
+  for (const auto& point : line.points) {
+    if (!is_number(point)) {
+      is_open = false;
+      continue;
+    }
+    const auto [x, y] = placed(point);
+    d += fmt::format("{}{:.1f} {:.1f}", is_open ? 'L' : 'M', x, y);
+    is_open = true;
+  }
+  return fmt::format(R"(<path class="line{}" d="{}"/>)", line.is_second ? " two" : "", d);
+}
+
+}  // namespace
+
+std::string line_row(const LineRow& row, const Axis& axis) {
+  std::string drawing = grid(axis);
+  if (row.mark)
+    drawing += fmt::format(R"(<path class="median" d="M{:.1f} 0V{}"/>)", axis.at(*row.mark), kHeight);
+  for (const Line& line : row.lines) {
+    drawing += path_of(line, [&](const std::pair<double, double>& point) {
+      const double share = row.top > 0.0 ? std::clamp(point.second / row.top, 0.0, 1.0) : 0.0;
+      return std::pair(axis.at(point.first), (kHeight - 2.0) * (1.0 - share) + 1.0);
+    });
+  }
+  return row_of(row.label, false, fmt::format("{}: {}", row.label, row.figure), drawing, row.figure);
+}
+
+std::string ways(const std::vector<Line>& lines, std::string_view said) {
+  constexpr double kWidth = 1000.0;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  double low_x = kFar;
+  double low_y = kFar;
+  double high_x = -kFar;
+  double high_y = -kFar;
+  for (const Line& line : lines) {
+    for (const auto& point : line.points) {
+      if (!is_number(point)) continue;
+      low_x = std::min(low_x, point.first);
+      high_x = std::max(high_x, point.first);
+      low_y = std::min(low_y, point.second);
+      high_y = std::max(high_y, point.second);
+    }
+  }
+  if (low_x > high_x) return "";
+  const double size = std::max({high_x - low_x, high_y - low_y, 1.0});
+  const double scale = kWidth / size;
+  std::string out =
+      fmt::format(R"(<svg class="map" viewBox="-10 -10 {:.1f} {:.1f}" role="img" aria-label="{}">)",
+                  (high_x - low_x) * scale + 20.0, (high_y - low_y) * scale + 20.0, text::markup(said));
+  for (const Line& line : lines) {
+    out += path_of(line, [&](const std::pair<double, double>& point) {
+      return std::pair((point.first - low_x) * scale, (high_y - point.second) * scale);
+    });
+  }
+  return out + "</svg>\n";
+}
+
 std::string table(std::string_view caption, const std::vector<std::vector<std::string>>& rows,
                   std::size_t left_columns) {
   std::string out = fmt::format(R"(<div class="scroll" tabindex="0" role="region" )"
@@ -134,60 +202,4 @@ std::string table(std::string_view caption, const std::vector<std::vector<std::s
   return out + (rows.size() > 1 ? "</tbody>" : "") + "</table></div>\n";
 }
 
-std::string_view page_style() {
-  return R"css(
-:root { color-scheme: light dark; --back: #fff; --ink: #1b1f24; --faint: #57606a; --line: #d0d7de; --box: #f6f8fa;
-  --one: #0b62b8; --two: #a04800; --good: #116329; --bad: #b3261e; }
-@media (prefers-color-scheme: dark) { :root { --back: #0d1117; --ink: #e6edf3; --faint: #9da7b1; --line: #30363d;
-  --box: #161b22; --one: #6cb6ff; --two: #f0a35e; --good: #57ab5a; --bad: #ff7b72; } }
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem; max-width: 75rem; background: var(--back); color: var(--ink);
-  font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; }
-h1 { font-size: 1.5rem; line-height: 1.25; margin: .5rem 0; }
-h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
-h3 { font-size: 1rem; margin: 1.25rem 0 .25rem; }
-p { margin: .5rem 0; max-width: 50rem; overflow-wrap: anywhere; }
-.faint, .figure, .marks { color: var(--faint); }
-.good { color: var(--good); font-weight: 600; }
-.bad { color: var(--bad); font-weight: 600; }
-.row { display: grid; grid-template-columns: minmax(6rem, 16rem) minmax(0, 1fr) 15rem; gap: 0 .75rem; align-items: center; }
-.label { overflow-wrap: anywhere; }
-.figure { font-size: .875rem; font-variant-numeric: tabular-nums; }
-.row svg { display: block; width: 100%; height: 30px; overflow: visible; margin: 2px 0; --color: var(--one); }
-.second svg { --color: var(--two); }
-.axis .marks { position: relative; height: 1.5rem; font-size: .8125rem; }
-.marks span { position: absolute; top: 0; white-space: nowrap; }
-path { vector-effect: non-scaling-stroke; fill: none; }
-.grid { stroke: var(--line); stroke-width: 1; }
-.range { stroke: var(--color); stroke-width: 3; }
-.point { stroke: var(--color); stroke-width: 11; stroke-linecap: round; }
-.bars { fill: var(--color); opacity: .75; }
-.median { stroke: var(--ink); stroke-width: 2; }
-.scroll { overflow-x: auto; border: 1px solid var(--line); border-radius: 6px; }
-.scroll:focus-visible { outline: 2px solid var(--one); }
-table { border-collapse: collapse; width: 100%; font-size: .875rem; font-variant-numeric: tabular-nums; }
-caption { text-align: left; padding: .4rem .6rem; color: var(--faint); }
-th, td { padding: .3rem .6rem; text-align: right; white-space: nowrap; border-top: 1px solid var(--line); }
-th { font-weight: 600; }
-thead th { background: var(--box); }
-.left { text-align: left; }
-ol.causes { padding: 0; list-style: none; }
-ol.causes li { margin: .75rem 0; padding: .5rem .75rem; border: 1px solid var(--line); border-left: 4px solid var(--bad);
-  border-radius: 6px; overflow-wrap: anywhere; }
-code { display: block; margin-top: .4rem; padding: .4rem .6rem; background: var(--box); border-radius: 4px;
-  font: .8125rem/1.5 ui-monospace, "DejaVu Sans Mono", monospace; white-space: pre-wrap; overflow-wrap: anywhere;
-  user-select: all; }
-dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: .15rem 1rem; margin: .5rem 0; }
-dt { color: var(--faint); }
-dd { margin: 0; overflow-wrap: anywhere; }
-@media (max-width: 45rem) {
-  .row { grid-template-columns: minmax(0, 1fr) max-content; margin-bottom: .4rem; }
-  .row .figure { grid-row: 1; grid-column: 2; text-align: right; }
-  .row svg, .row .marks { grid-column: 1 / -1; }
-  .axis .label, .axis .figure { display: none; }
-}
-@media print { .scroll { overflow: visible; } th, td { white-space: normal; } }
-)css";
-}
-
-}  // namespace mlab::study
+}  // namespace mlab::page

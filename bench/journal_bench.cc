@@ -1,0 +1,111 @@
+// What a journal costs: an hour of robots with recording, without and with the writes that the console makes
+// of it; and how long such a run takes to be read and computed again.
+//
+//     build/bench/bin/journal_bench [ROBOTS] [SECONDS]
+
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "mlab/history/recorder.h"
+#include "mlab/history/replay.h"
+#include "mlab/journal/journal.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/simulated/run.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace mlab;
+
+double cpu_seconds() {
+  std::timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
+
+std::unique_ptr<run::MissionRun> run_of(int robots) {
+  std::string text = "MISSION-AREA 100000 3000\nUNIT <all>";
+  for (int i = 0; i < robots; ++i) text += " ROBOT";
+  text += "\nCOMMAND LIST:\n0. UNIT all START 100 100 0 40\n1. UNIT all MOVETO 99000 1500\n";
+  text::Diagnostics sink;
+  const auto mission = mdl::check_mission(std::make_shared<const text::Source>("bench.mdl", text), "", sink);
+  auto run = mission ? simulated::make_run(mission, {}, {}, sink) : nullptr;
+  if (!run) fmt::print(stderr, "{}", text::render(sink));
+  return run;
+}
+
+// @param folder  of the journal; empty: there is none
+// @param apart   cycles between two writes of how far the run has come
+double carry_out(int robots, std::uint64_t cycles, const std::string& folder, std::uint64_t apart) {
+  const auto run = run_of(robots);
+  if (!run) return 0.0;
+  std::unique_ptr<journal::Journal> journal;
+  if (!folder.empty()) {
+    auto made = journal::Journal::create(folder + "/run.journal");
+    if (made) journal = std::move(*made);
+  }
+  journal::Batch batch;
+  wire::JournalSession session;
+  session.set_mission("bench.mdl");
+  batch.session = session.SerializeAsString();
+  history::Recorder recorder(
+      [&] { return fs::path(fs::temp_directory_path() / "journal_bench.mcap").string(); }, *run,
+      {"bench", {}, 1, 0.0},
+      [&](const wire::HistoryEntry& entry) {
+        if (journal && !entry.has_poses() && !entry.has_event())
+          batch.entries.push_back(entry.SerializeAsString());
+      });
+  const double began = cpu_seconds();
+  run->post(mission::event::Execute{});
+  while (run->cycle() < cycles && run->step() == run::MissionRun::Progress::kStepped) {
+    recorder.note_cycle();
+    if (!journal || run->cycle() % apart != 0) continue;
+    batch.progress.emplace();
+    batch.progress->set_cycle(run->cycle());
+    batch.progress->set_time(run->time());
+    if (const auto written = journal->write(batch); !written) fmt::print(stderr, "{}\n", written.error());
+    batch = {};
+  }
+  return cpu_seconds() - began;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int robots = argc > 1 ? std::atoi(argv[1]) : 100;
+  const int seconds = argc > 2 ? std::atoi(argv[2]) : 3600;
+  const auto cycles = static_cast<std::uint64_t>(seconds) * 10;
+  const std::string folder = (fs::temp_directory_path() / "journal_bench").string();
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const std::string recording = (fs::temp_directory_path() / "journal_bench.mcap").string();
+  fs::remove(recording);
+  const double without = carry_out(robots, cycles, "", 1);
+  fs::remove(recording);
+  // Twice a second at the console's usual speed of 10.
+  const double with = carry_out(robots, cycles, folder, 50);
+  fs::remove(recording);
+  fmt::print(
+      "{} robots, {} s: {:.2f} s of processor time with recording, {:.2f} s with a journal, too ({:+.2f} "
+      "%)\n",
+      robots, seconds, without, with, 100.0 * (with - without) / without);
+  const double began = cpu_seconds();
+  const auto kept = journal::read_journal(folder + "/run.journal");
+  if (!kept) {
+    fmt::print(stderr, "{}\n", kept.error().why);
+    return 1;
+  }
+  const double read = cpu_seconds();
+  text::Diagnostics sink;
+  const auto replay = history::Replay::make(kept->history, {}, sink);
+  while (replay && replay->step()) {
+  }
+  fmt::print("read in {:.3f} s, computed again up to cycle {} in {:.2f} s\n", read - began,
+             replay ? replay->run().cycle() : 0, cpu_seconds() - read);
+  fs::remove_all(folder);
+  return replay && !replay->divergence() ? 0 : 1;
+}

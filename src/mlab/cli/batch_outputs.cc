@@ -1,0 +1,125 @@
+#include "mlab/cli/batch_outputs.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/clock.h"
+#include "mlab/cli/commands.h"
+#include "mlab/cli/files.h"
+#include "mlab/cli/interrupt.h"
+#include "mlab/cli/places.h"
+#include "mlab/cli/version.h"
+#include "mlab/study/page.h"
+#include "mlab/study/table.h"
+
+namespace mlab::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where failures are recorded; empty: nowhere.
+std::string recordings_of(const study::Definition& definition) {
+  if (definition.recordings == study::kNoRecordings) return {};
+  if (!definition.recordings.empty()) return definition.recordings;
+  const std::string& beside = !definition.page.empty() ? definition.page : definition.table;
+  std::error_code failure;
+  if (beside.empty() || (fs::exists(beside, failure) && !fs::is_regular_file(beside, failure))) return {};
+  return fs::path(beside).replace_extension(".failures").string();
+}
+
+bool deliver_file(const char* what, const std::string& file, const std::string& text) {
+  if (write_file(file, text)) {
+    fmt::print("{}: {}\n", what, file);
+    return true;
+  }
+  fmt::print(stderr, "mlab batch: the {} {} could not be written\n", what, file);
+  return false;
+}
+
+}  // namespace
+
+int wrong_batch_usage(const std::string& message) {
+  fmt::print(stderr, "mlab batch: {}\n", message);
+  return kBadInput;
+}
+
+// What is written can be, and is nothing that is read.
+bool outputs_are_usable(const study::Definition& definition, const std::string& study_file,
+                        const std::string& results) {
+  const std::pair<const char*, std::string> outputs[] = {
+      {"--table", definition.table}, {"--html", definition.page}, {"--results", results}};
+  const std::pair<const char*, std::string> inputs[] = {
+      {"mission", definition.mission.text},
+      {"mission of --against", definition.against.text},
+      {"file of --environment", definition.environment.text},
+      {"definition", study_file}};
+  std::vector<std::string> seen;
+  for (const auto& [option, file] : outputs) {
+    if (file.empty()) continue;
+    for (const auto& [what, input] : inputs) {
+      std::error_code unreadable;
+      if (input.empty() || !fs::equivalent(file, input, unreadable)) continue;
+      wrong_batch_usage(
+          fmt::format("{} {}: that is the {} itself, which would be overwritten", option, file, what));
+      return false;
+    }
+    if (std::ranges::find(seen, file) != seen.end()) {
+      wrong_batch_usage(fmt::format("{} {}: another file goes there as well", option, file));
+      return false;
+    }
+    if (!is_writable(file)) {
+      wrong_batch_usage(fmt::format("{} {}: the file can't be written", option, file));
+      return false;
+    }
+    seen.push_back(file);
+  }
+  const std::string recordings = recordings_of(definition);
+  std::error_code failure;
+  if (recordings.empty() || !fs::exists(fs::symlink_status(recordings, failure)) ||
+      fs::is_directory(recordings, failure))
+    return true;
+  wrong_batch_usage(fmt::format("--recordings {}: that is no folder", recordings));
+  return false;
+}
+
+study::FailureRecordings deliver_recordings(const study::Batch& batch, study::Summary& summary,
+                                            const study::Definition& definition, const study::Plan& plan,
+                                            const Scenes& scenes) {
+  const std::string folder = recordings_of(definition);
+  if (folder.empty()) return {};
+  study::FailureRecordings out =
+      study::record_failures(batch, summary, definition, plan, scenes.all, folder,
+                             {kVersion, overlay_folders(), wall_clock().epoch_seconds}, was_interrupted);
+  for (const std::string& problem : out.problems) fmt::print(stderr, "mlab batch: {}\n", problem);
+  return out;
+}
+
+bool deliver_all(const study::Batch& batch, const study::Summary& summary,
+                 const study::FailureRecordings& recordings, const study::Definition& definition,
+                 const study::Plan& plan, const std::string& title) {
+  bool is_whole = recordings.problems.empty();
+  if (!definition.table.empty()) {
+    const bool is_json = fs::path(definition.table).extension() == ".json";
+    is_whole &= deliver_file("table", definition.table,
+                             is_json ? study::json_of(batch, summary, definition, plan, kVersion)
+                                     : study::csv_of(batch, summary, definition, plan));
+  }
+  if (!definition.page.empty())
+    is_whole &=
+        deliver_file("page", definition.page,
+                     study::page_of(batch, summary, definition, plan, {title, definition.page, kVersion}));
+  if (recordings.made > 0)
+    fmt::print("recordings: {}{}\n", (fs::path(recordings_of(definition)) / "").string(),
+               recordings.left_out == 0 ? std::string()
+                                        : fmt::format(" (of the {} most frequent causes; {} more have none)",
+                                                      study::kMostRecordings, recordings.left_out));
+  return is_whole;
+}
+
+}  // namespace mlab::cli

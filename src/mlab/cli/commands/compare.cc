@@ -1,0 +1,130 @@
+// `mlab compare`: two recorded runs, computed again in step.
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/clock.h"
+#include "mlab/cli/commands.h"
+#include "mlab/cli/interrupt.h"
+#include "mlab/cli/permission.h"
+#include "mlab/cli/places.h"
+#include "mlab/cli/recorded_run.h"
+#include "mlab/cli/terminal.h"
+#include "mlab/cli/version.h"
+#include "mlab/comparison/comparer.h"
+#include "mlab/comparison/report.h"
+#include "mlab/comparison/words.h"
+#include "mlab/history/recording_file.h"
+
+namespace mlab::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kRedrawn = 0.2;  // [s]
+
+// Nothing where it is no recording, which is told.
+std::optional<comparison::Recorded> open_side(const std::string& path, const CompareOptions& options) {
+  auto recording = history::read_recording(path);
+  if (!recording) {
+    tell(recording.error());
+    return std::nullopt;
+  }
+  comparison::Recorded out;
+  out.name = path;
+  out.history = std::move(recording->history);
+  if (!recording->cut.empty()) out.remarks.push_back(recording->cut);
+  for (std::string& remark : remarks_on(out.history->beginning())) out.remarks.push_back(std::move(remark));
+  text::Diagnostics problems;
+  out.replay = history::Replay::make(
+      out.history, {permission_to_replay(), include_root(), kVersion, options.limits, options.threads},
+      problems);
+  if (out.replay) {
+    out.replay->run().set_meanwhile(was_interrupted);
+    return out;
+  }
+  out.why_not = out.history->why_not_recomputed();
+  for (const text::Diagnostic& problem : problems.items()) {
+    if (out.why_not.empty() && problem.severity == text::Severity::kError) out.why_not = problem.message;
+  }
+  return out;
+}
+
+bool page_is_usable(const CompareOptions& options) {
+  if (options.page.empty()) return true;
+  for (const std::string& input : {options.first, options.second}) {
+    std::error_code missing;
+    if (!fs::equivalent(options.page, input, missing)) continue;
+    fmt::print(stderr, "mlab compare: --html {}: that is a recording, which would be overwritten\n",
+               options.page);
+    return false;
+  }
+  if (is_writable(options.page)) return true;
+  fmt::print(stderr, "mlab compare: --html {}: the file can't be written\n", options.page);
+  return false;
+}
+
+// A line on a terminal that says how far it is.
+class Progress {
+ public:
+  explicit Progress(bool is_quiet) : is_shown_(!is_quiet && isatty(STDERR_FILENO) == 1) {}
+  ~Progress() {
+    if (is_drawn_) fmt::print(stderr, "\r\x1b[K");
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  void show(double share) {
+    if (!is_shown_ || steady_seconds() < last_ + kRedrawn) return;
+    last_ = steady_seconds();
+    is_drawn_ = true;
+    fmt::print(stderr, "\r\x1b[Kcomparing: {:.0f} %", 100.0 * share);
+    std::fflush(stderr);
+  }
+
+ private:
+  bool is_shown_;
+  bool is_drawn_ = false;
+  double last_ = steady_seconds();
+};
+
+void compute(comparison::Comparer& comparer, bool is_quiet) {
+  Progress progress(is_quiet);
+  note_interrupts();
+  while (!was_interrupted() && comparer.step()) progress.show(comparer.share_done());
+}
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+  if (!page_is_usable(options)) return kBadInput;
+  std::optional<comparison::Recorded> first = open_side(options.first, options);
+  std::optional<comparison::Recorded> second = open_side(options.second, options);
+  if (!first || !second) return kBadInput;
+  comparison::Comparer comparer({std::move(*first), std::move(*second)});
+  compute(comparer, options.quiet);
+  const comparison::Comparison result = comparer.finish();
+  if (options.json)
+    fmt::print("{}", comparison::json_of(result));
+  else if (options.quiet)
+    fmt::print("{}\n", comparison::verdict(result));
+  else
+    fmt::print("{}", comparison::report_of(result));
+  if (!options.page.empty()) {
+    if (!write_file(options.page, comparison::page_of(result, kVersion))) {
+      fmt::print(stderr, "mlab compare: the page {} could not be written\n", options.page);
+      return kFailed;
+    }
+    if (!options.json) fmt::print("page: {}\n", options.page);
+  }
+  return result.is_same() && result.is_whole ? kDone : kFailed;
+}
+
+}  // namespace mlab::cli

@@ -1,0 +1,97 @@
+#include "mlab/cli/resumable.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/files.h"
+#include "mlab/cli/places.h"
+#include "mlab/documents/project_folder.h"
+#include "mlab/documents/state_folder.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kJournals = "journals";
+constexpr std::string_view kExamples = "examples:";
+
+bool is_below(const std::string& path, const std::string& folder) {
+  const fs::path whole(path);
+  const fs::path root(folder);
+  return std::ranges::mismatch(root, whole).in1 == root.end();
+}
+
+std::vector<journal::Unfinished> look(const std::string& folder) {
+  journal::JournalFolder::Found found = journal::JournalFolder(folder).look();
+  for (const std::string& sentence : found.set_aside) fmt::print(stderr, "mlab run: warning: {}\n", sentence);
+  return std::move(found.runs);
+}
+
+// Of all projects that anything is kept of.
+std::vector<journal::Unfinished> look_everywhere() {
+  std::vector<journal::Unfinished> out;
+  std::error_code failure;
+  for (fs::directory_iterator each(state_folder(), failure); !failure && each != fs::directory_iterator();
+       each.increment(failure)) {
+    std::error_code none;
+    const fs::path folder = each->path() / kJournals;
+    if (fs::is_directory(folder, none)) std::ranges::move(look(folder.string()), std::back_inserter(out));
+  }
+  return out;
+}
+
+std::expected<journal::Unfinished, std::string> newest(std::vector<journal::Unfinished> runs,
+                                                       const std::string& what) {
+  const auto last = std::ranges::max_element(
+      runs, {}, [](const journal::Unfinished& run) { return run.stand.progress.written_at(); });
+  if (last == runs.end()) return std::unexpected(fmt::format("there is no run of {} that did not end", what));
+  return std::move(*last);
+}
+
+}  // namespace
+
+std::string journal_folder(const std::string& project) {
+  const std::string folder = documents::StateFolder(state_folder(), project).path();
+  return folder.empty() ? "" : (fs::path(folder) / kJournals).string();
+}
+
+std::string mission_file(const journal::Unfinished& run) {
+  const std::string& mission = run.stand.session.mission();
+  const fs::path path = mission.starts_with(kExamples)
+                            ? fs::path(example_folder()) / mission.substr(kExamples.size())
+                            : fs::path(run.stand.session.project()) / mission;
+  std::error_code none;
+  return fs::is_regular_file(path, none) ? path.string() : "";
+}
+
+std::expected<journal::Unfinished, std::string> find_resumable(const RunOptions& options) {
+  const std::string first = !options.project.empty()  ? options.project
+                            : options.mission.empty() ? "."
+                                                      : fs::absolute(options.mission).parent_path().string();
+  const std::string project = documents::ProjectFolder({first, ""}).folder();
+  std::vector<journal::Unfinished> runs = look(journal_folder(project));
+  if (!options.mission.empty()) {
+    std::erase_if(runs, [&](const journal::Unfinished& run) {
+      std::error_code differs;
+      return !fs::equivalent(mission_file(run), options.mission, differs);
+    });
+    return newest(std::move(runs), fmt::format("`{}`", text::shown(options.mission)));
+  }
+  if (runs.empty() && options.project.empty()) {
+    runs = look_everywhere();
+    std::erase_if(runs, [&](const journal::Unfinished& run) {
+      return !is_below(run.stand.session.project(), project);
+    });
+  }
+  return newest(std::move(runs), fmt::format("the project {}, or of one below it,", project));
+}
+
+}  // namespace mlab::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "mlab/comparison/comparison.h"
+
+// A comparison in words, for terminals and pages.
+namespace mlab::comparison {
+
+/// What came out, in a sentence: `they part after cycle 2 (0.2 s)`.
+std::string verdict(const Comparison& comparison);
+/// Of which file, which mission, and how it ended: `demo_c.mdl, seed 1, 327.7 s, done`.
+std::string words_of(const Side& side);
+/// Which value of whom differs: `robot 1, `noise`: (1, 0, 0) in A, (2, 0, 0) in B`.
+std::string words_of(const Parting& parting);
+/// `robots 1 to 4, 7`, at most a few of them by name.
+std::string robots_words(const std::vector<std::uint32_t>& robots);
+/// How a command went: `12.3 to 45.6 s, done`; empty: not at all.
+std::string words_of(const std::optional<CommandRow::Times>& times);
+/// `12.3`, empty for nothing [s].
+std::string seconds(const std::optional<double>& time);
+
+}  // namespace mlab::comparison

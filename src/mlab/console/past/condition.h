@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mlab/fleet/fleet_robot.h"
+#include "mlab/run/mission_run.h"
+
+namespace mlab::console {
+
+/// Something that is true of a robot at some moments of a run, as a person writes it:
+///
+///     robot 3 nearer than 2 m to an obstacle
+///     any robot farther than 50 m from PP-Charlie
+///     any robot in contact
+///     robot 2 in state Return
+///     robot 2 speed > 1.5
+///     any robot Forward.magnitude <= 0.1
+///
+/// What it is near to is an obstacle (edge to edge, walls as well), a robot, its goal, or a place of the map
+/// (its middle). What is compared is one of the words of Series.Quantity with hyphens, or a port that holds a
+/// number.
+class Condition {
+ public:
+  static constexpr std::string_view kExamples =
+      "`robot 3 nearer than 2 m to an obstacle`, `any robot in contact`, `robot 2 in state Return`, "
+      "`robot 2 speed > 1.5`";
+
+  /// @errors  a sentence: what was seen, and what is expected
+  static std::expected<Condition, std::string> parse(std::string_view text);
+  /// Why it can never be true of that run, as a sentence.
+  std::optional<std::string> why_never(const run::MissionRun& run) const;
+
+  /// Where somebody is of whom it is true now, and was not when this was called last.
+  struct Met {
+    std::uint32_t robot = 0;
+    std::string text;  ///< as a sentence
+  };
+  std::optional<Met> look(const run::MissionRun& run);
+  /// The next look only notes how it stands.
+  void forget() { standing_.clear(); }
+
+ private:
+  /// A sentence where it is true.
+  using Test =
+      std::function<std::optional<std::string>(const run::MissionRun& run, const fleet::FleetRobot& robot)>;
+  struct Reader;
+
+  std::uint32_t robot_ = 0;  // 0: any
+  std::string place_;        // of the map, that it names
+  std::string port_;         // that it names
+  bool is_contact_ = false;
+  Test test_;
+  struct Standing {
+    bool was_true = false;
+    std::uint32_t contacts = 0;
+  };
+  std::map<std::uint32_t, Standing> standing_;
+};
+
+}  // namespace mlab::console

@@ -1,0 +1,77 @@
+#include "mlab/console/past/condition.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mlab/history/testing/written_run.h"
+
+namespace mlab::console {
+namespace {
+
+using history::testing::WrittenRun;
+
+TEST(Condition, SaysWhatIsExpectedAndWhatWasSeen) {
+  const auto error_of = [](const std::string& text) {
+    const auto read = Condition::parse(text);
+    return read ? std::string("understood") : read.error();
+  };
+  EXPECT_EQ(error_of("").find("expected `robot N` or `any robot`, but saw the end of the condition"), 0U);
+  EXPECT_NE(error_of("robot three in contact").find("expected a robot's number, but saw `three`"),
+            std::string::npos);
+  EXPECT_NE(error_of("robot 0 in contact").find("`0`"), std::string::npos);
+  EXPECT_NE(error_of("robot 3 nearer than nan m to an obstacle").find("`nan`"), std::string::npos);
+  EXPECT_NE(error_of("robot 3 nearer than -1 m to an obstacle").find("`-1`"), std::string::npos);
+  EXPECT_NE(error_of("robot 3 nearer than 2 m from an obstacle").find("expected `to`"), std::string::npos);
+  EXPECT_NE(error_of("robot 3 nearer than 2 m to").find("a place of the map"), std::string::npos);
+  EXPECT_NE(error_of("any robot in").find("`contact` or `state`"), std::string::npos);
+  EXPECT_NE(error_of("robot 2 speed").find("`<`"), std::string::npos);
+  EXPECT_NE(error_of("robot 2 speed > fast").find("expected a number, but saw `fast`"), std::string::npos);
+  EXPECT_NE(error_of("any robot in contact now").find("expected nothing more, but saw `now`"),
+            std::string::npos);
+  EXPECT_NE(error_of(std::string(5000, 'x')).find("at most"), std::string::npos);
+  for (const char* good :
+       {"robot 3 nearer than 2 m to an obstacle", "any robot farther than 1e2 from PP-Charlie",
+        "any robot in contact", "robot 2 in state Return", "robot 2 speed >= 1.5",
+        "robot 1 nearer than 3 m to robot 2", "any robot nearer than 3 m to a robot",
+        "robot 1 nearer than 5 m to its goal"})
+    EXPECT_EQ(error_of(good), "understood") << good;
+}
+
+TEST(Condition, SaysWhatCanNeverBeTrue) {
+  WrittenRun written("demo_c/demo_c.mdl");
+  const auto why = [&](const std::string& text) {
+    return Condition::parse(text)->why_never(written.run()).value_or("");
+  };
+  EXPECT_EQ(why("robot 9 in contact"), "there is no robot 9");
+  EXPECT_EQ(why("any robot nearer than 2 m to PP-Nowhere"), "the map has no place `PP-Nowhere`");
+  EXPECT_EQ(why("robot 1 wheel > 1"), "the program has no port `wheel`");
+  EXPECT_EQ(why("any robot speed > 1"), "");
+}
+
+TEST(Condition, IsMetWhenItBecomesTrueAndNotWhileItIs) {
+  WrittenRun written("demo_c/demo_c.mdl", 1, true);
+  written.run().post(mission::event::Execute{});
+  auto condition = Condition::parse("robot 1 speed > 0.5");
+  ASSERT_TRUE(condition);
+  int met = 0;
+  bool was_fast = false;
+  int expected = 0;
+  for (int i = 0; i < 1500 && written.step(); ++i) {
+    const auto* const robot = written.run().fleet().find({1});
+    const bool is_there = robot->life != fleet::RobotLife::kNotStarted;
+    const bool is_fast = is_there && geom::length(written.run().world().body(robot->body).velocity) > 0.5;
+    expected += is_fast && !was_fast ? 1 : 0;
+    was_fast = is_fast;
+    if (const auto found = condition->look(written.run())) {
+      ++met;
+      EXPECT_EQ(found->robot, 1U);
+      EXPECT_NE(found->text.find("speed of robot 1 was"), std::string::npos) << found->text;
+    }
+  }
+  EXPECT_GT(expected, 1);
+  EXPECT_EQ(met, expected);
+}
+
+}  // namespace
+}  // namespace mlab::console

@@ -1,0 +1,150 @@
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mlab/console/testing/browser.h"
+#include "mlab/console/testing/journalled_test.h"
+#include "mlab/history/recording_file.h"
+#include "mlab/history/shelf.h"
+
+namespace mlab::console {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Browser;
+using testing::TestSession;
+
+class ResumptionTest : public testing::JournalledTest {
+ protected:
+  static bool is_back(Browser& anna) {
+    return anna.wait([&] { return anna.status().mode() == Status::PAUSED; }) &&
+           anna.wait([&] { return anna.has_log("the run goes on as it stood at"); });
+  }
+};
+
+TEST_F(ResumptionTest, BringsBackTheRunWithAllThatPeopleDid) {
+  double time = 0.0;
+  {
+    TestSession session("", 20.0, [&](SessionSettings& s) { begin(s); });
+    Browser anna(session, "Anna");
+    EXPECT_TRUE(folder_.look().runs.empty());
+    start(anna);
+    EXPECT_EQ(anna.type("OBSTACLE 300 400 8"), "");
+    ToServer set;
+    set.mutable_set_parameter()->add_robots(1);
+    set.mutable_set_parameter()->set_port("base_velocity");
+    set.mutable_set_parameter()->set_value("4");
+    EXPECT_EQ(Browser::error_of(anna.ask(set)), "");
+    ToServer steer;
+    steer.mutable_start_teleoperation()->set_robot(2);
+    EXPECT_EQ(Browser::error_of(anna.ask(steer)), "");
+    ToServer stick;
+    ASSERT_TRUE(anna.wait([&] { return anna.status().teleoperations_size() == 1; }));
+    stick.mutable_stick()->set_unit(anna.status().teleoperations(0).unit());
+    stick.mutable_stick()->set_x(1.0);
+    const Reply reply = anna.ask(stick);
+    EXPECT_EQ(Browser::error_of(reply), "");
+    EXPECT_EQ(reply.not_saved(), "");
+    time = anna.status().time();
+  }
+  TestSession session("", 1.0, [&](SessionSettings& s) { resume(s); });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(is_back(anna));
+  EXPECT_GE(anna.status().time(), time);
+  EXPECT_DOUBLE_EQ(anna.status().speed(), 20.0);
+  for (const char* said : {"Anna: execute", "Anna typed: OBSTACLE 300 400 8", "base_velocity", "teleoperate"})
+    EXPECT_TRUE(anna.has_log(said)) << said;
+  ASSERT_EQ(anna.status().teleoperations_size(), 1);
+  EXPECT_TRUE(anna.journal().unfinished().empty()) << "this one is being gone on with";
+  session->look_at_run([](const run::MissionRun* run) {
+    ASSERT_NE(run, nullptr);
+    EXPECT_FALSE(run->fleet().find({2})->is_stick_held) << "nobody's hand is on it";
+    EXPECT_EQ(run->mission().typed.size(), 1U);
+  });
+  time = anna.status().time();
+  EXPECT_EQ(anna.control(Control::RESUME), "");
+  EXPECT_TRUE(anna.wait([&] { return anna.status().time() > time + 2.0; }));
+}
+
+TEST_F(ResumptionTest, IsOfferedToWhoComesWithoutAMission) {
+  {
+    TestSession session("", 20.0, [&](SessionSettings& s) { begin(s); });
+    Browser anna(session, "Anna");
+    start(anna);
+  }
+  TestSession session("", 20.0, [&](SessionSettings& s) { change(s); });
+  Browser bert(session, "Bert");
+  ASSERT_TRUE(bert.wait([&] { return bert.journal().unfinished_size() == 1; }));
+  const Journal::Unfinished offered = bert.journal().unfinished(0);
+  EXPECT_EQ(offered.mission(), "far.mdl");
+  EXPECT_GT(offered.time(), 2.0);
+  ToServer wanted;
+  wanted.mutable_continue_run()->set_name("../" + offered.name());
+  EXPECT_EQ(Browser::error_of(bert.ask(wanted)), "there is no such run");
+  wanted.mutable_continue_run()->set_name(offered.name());
+  EXPECT_EQ(Browser::error_of(bert.ask(wanted)), "");
+  ASSERT_TRUE(is_back(bert));
+  EXPECT_TRUE(bert.has_log("Anna: execute"));
+  EXPECT_TRUE(bert.wait([&] { return bert.journal().unfinished_size() == 0; }));
+}
+
+TEST_F(ResumptionTest, KeepsNothingOfARunThatIsBegunAnew) {
+  TestSession session("", 20.0, [&](SessionSettings& s) { begin(s); });
+  Browser anna(session, "Anna");
+  start(anna);
+  ASSERT_EQ(anna.control(Control::RESTART), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; }));
+  session->end();
+  EXPECT_TRUE(folder_.look().runs.empty());
+}
+
+TEST_F(ResumptionTest, EngagedStopStaysEngaged) {
+  {
+    TestSession session("", 20.0, [&](SessionSettings& s) { begin(s); });
+    Browser anna(session, "Anna");
+    start(anna);
+    session->emergency_stop();
+    ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::STOPPED; }));
+  }
+  TestSession session("", 20.0, [&](SessionSettings& s) { resume(s); });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(anna.wait([&] { return anna.has_log("the run goes on as it stood at"); }));
+  ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::STOPPED; }));
+  EXPECT_EQ(anna.control(Control::RELEASE_STOP), "");
+  EXPECT_TRUE(anna.wait([&] { return anna.status().mode() == Status::PAUSED; }));
+}
+
+TEST_F(ResumptionTest, WithoutRoomSaysThatNothingIsSavedAndTheRunGoesOn) {
+  TestSession session("", 20.0, [&](SessionSettings& s) {
+    begin(s);
+    s.journal_folder = "/proc/nowhere/journals";
+  });
+  Browser anna(session, "Anna");
+  start(anna);
+  ToServer message;
+  message.mutable_control()->set_action(Control::PAUSE);
+  const Reply reply = anna.ask(message);
+  EXPECT_TRUE(reply.ok());
+  EXPECT_NE(reply.not_saved().find("can't be made"), std::string::npos) << reply.not_saved();
+  EXPECT_TRUE(anna.wait([&] { return !anna.journal().not_saved().empty(); }));
+  EXPECT_TRUE(anna.has_log("what is done from now on is not saved"));
+}
+
+TEST_F(ResumptionTest, SetsAsideWhatIsNoJournal) {
+  fs::create_directories(folder_.folder());
+  std::ofstream(folder_.folder() + "/x.journal") << "of somebody";
+  TestSession session("", 20.0, [&](SessionSettings& s) {
+    begin(s);
+    s.resume = folder_.folder() + "/x.journal";
+  });
+  Browser anna(session, "Anna");
+  EXPECT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; })) << "the mission is open";
+  EXPECT_TRUE(anna.wait([&] { return anna.has_log("can't be read, and lies in"); }));
+  EXPECT_TRUE(fs::exists(folder_.folder() + "/x.journal.unreadable"));
+}
+
+}  // namespace
+}  // namespace mlab::console

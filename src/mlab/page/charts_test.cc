@@ -1,0 +1,44 @@
+#include "mlab/page/charts.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "mlab/page/document.h"
+
+namespace mlab::page {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Charts, ALineIsInterruptedWhereThereIsNoNumber) {
+  const Axis axis = number_axis(0.0, 10.0);
+  const std::string row =
+      line_row({"robot 1", {{{{0.0, 0.0}, {5.0, kNone}, {10.0, 2.0}}, false}}, 2.0, "2 m", 5.0}, axis);
+  EXPECT_TRUE(has(row, R"(d="M0.0 29.0M1000.0 1.0")")) << row;
+  EXPECT_TRUE(has(row, R"(class="median" d="M500.0 0V30")")) << row;
+}
+
+TEST(Charts, WaysHaveOneScaleAndYUpwards) {
+  const std::string map =
+      ways({{{{0.0, 0.0}, {20.0, 10.0}}, false}, {{{0.0, 10.0}, {kNone, 3.0}}, true}}, "two");
+  EXPECT_TRUE(has(map, R"(d="M0.0 500.0L1000.0 0.0")")) << map;
+  EXPECT_TRUE(has(map, R"(class="line two" d="M0.0 0.0")")) << map;
+  EXPECT_EQ(ways({{{{kNone, kNone}}, false}}, "nothing"), "");
+  EXPECT_EQ(ways({}, "nothing"), "");
+}
+
+TEST(Charts, WhatIsNotOursIsNoMarkup) {
+  const std::string page = document("<script>", table("a\"b", {{"<x>"}, {"&"}}, 1));
+  EXPECT_FALSE(has(page, "<script>"));
+  EXPECT_FALSE(has(page, "<x>"));
+  EXPECT_TRUE(has(page, "a&quot;b"));
+  EXPECT_TRUE(has(page, "default-src 'none'"));
+}
+
+}  // namespace
+}  // namespace mlab::page

@@ -1,0 +1,156 @@
+#include "mlab/study/result_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "mlab/text/shown.h"
+
+namespace mlab::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+constexpr const char* kMark = "mlab_batch";
+constexpr const char* kEnd = "is_over";
+
+std::string line_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json row_json(const Row& row) {
+  Json numbers = Json::array();
+  for (const double number : row.numbers)
+    numbers.push_back(std::isnan(number) ? Json(nullptr) : Json(number));
+  Json out = {{"key", {row.key.version, row.key.combination, row.key.run}},
+              {"seed", row.seed},
+              {"success", row.success},
+              {"outcome", row.outcome},
+              {"numbers", std::move(numbers)}};
+  if (!row.cause.empty()) out["cause"] = row.cause;
+  if (!row.message.empty()) out["message"] = row.message;
+  return out;
+}
+
+// Nothing where the line is none of ours.
+std::optional<Row> row_in(const Json& json) {
+  const auto is_whole = [](const Json& value, std::uint64_t most) {
+    return value.is_number_unsigned() && value.get<std::uint64_t>() <= most;
+  };
+  if (!json.is_object() || !json.contains("key") || !json.contains("numbers") || !json.contains("seed") ||
+      !json.contains("success") || !json.contains("outcome"))
+    return std::nullopt;
+  const Json& key = json["key"];
+  const Json& numbers = json["numbers"];
+  if (!key.is_array() || key.size() != 3 || !numbers.is_array() || numbers.size() != kNumbers.size() ||
+      !is_whole(json["seed"], UINT64_MAX) || !json["success"].is_boolean() || !json["outcome"].is_string())
+    return std::nullopt;
+  for (const Json& part : key) {
+    if (!is_whole(part, UINT32_MAX)) return std::nullopt;
+  }
+  Row out;
+  out.key = {key[0].get<std::uint32_t>(), key[1].get<std::uint32_t>(), key[2].get<std::uint32_t>()};
+  out.seed = json["seed"].get<std::uint64_t>();
+  out.success = json["success"].get<bool>();
+  out.outcome = json["outcome"].get<std::string>();
+  for (std::size_t i = 0; i < kNumbers.size(); ++i) {
+    if (numbers[i].is_number()) out.numbers[i] = numbers[i].get<double>();
+  }
+  for (const auto& [name, into] : {std::pair("cause", &out.cause), std::pair("message", &out.message)}) {
+    if (json.contains(name) && json[name].is_string()) *into = json[name].get<std::string>();
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string header_line(const Identity& identity) {
+  Json out;
+  out[kMark] = kFormat;
+  for (const auto& [name, word] : identity) out["batch"][name] = word;
+  return line_of(out);
+}
+
+std::string row_line(const Row& row) {
+  return line_of(row_json(row));
+}
+
+std::string end_line() {
+  return line_of({{kEnd, true}});
+}
+
+std::optional<Identity> header_in(std::string_view line) {
+  const Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object() || !json.contains(kMark) || json[kMark] != kFormat || !json.contains("batch") ||
+      !json["batch"].is_object())
+    return std::nullopt;
+  Identity out;
+  for (const auto& [name, word] : json["batch"].items()) {
+    if (word.is_string()) out.emplace_back(name, word.get<std::string>());
+  }
+  return out;
+}
+
+std::string word_in(const Identity& identity, std::string_view name) {
+  for (const auto& [key, word] : identity) {
+    if (key == name) return word;
+  }
+  return {};
+}
+
+bool has_word(const Identity& identity, std::string_view name) {
+  return std::ranges::any_of(identity, [&](const auto& word) { return word.first == name; });
+}
+
+std::string difference(const Identity& there, const Identity& here) {
+  for (const auto& [name, word] : here) {
+    const std::string other = word_in(there, name);
+    if (other == word) continue;
+    return fmt::format("holds runs of another batch: its {} is `{}`, here it is `{}`", name,
+                       text::shown(other, 100), text::shown(word, 100));
+  }
+  return {};
+}
+
+std::expected<Contents, std::string> understand(std::string_view all) {
+  Contents out;
+  std::size_t line = 0;
+  while (out.size < all.size()) {
+    const std::size_t end = all.find('\n', out.size);
+    const std::string_view text = all.substr(out.size, end - out.size);
+    if (++line == 1) {
+      auto header = end == std::string_view::npos ? std::nullopt : header_in(text);
+      if (!header) return std::unexpected("is no file of a batch's results, and is left alone");
+      out.header = std::move(*header);
+    } else if (end != std::string_view::npos) {
+      const Json json = Json::parse(text, nullptr, false);
+      if (json.is_object() && json.contains(kEnd)) {
+        out.is_over = true;
+      } else if (auto row = row_in(json)) {
+        out.rows.push_back(std::move(*row));
+      } else {
+        return std::unexpected(fmt::format("has something else than a run in line {}", line));
+      }
+    }
+    if (end == std::string_view::npos) break;
+    out.size = end + 1;
+  }
+  return out;
+}
+
+std::vector<Row> rows_in(std::string_view lines, std::size_t& size) {
+  std::vector<Row> out;
+  size = 0;
+  for (std::size_t end = lines.find('\n'); end != std::string_view::npos; end = lines.find('\n', size)) {
+    if (auto row = row_in(Json::parse(lines.substr(size, end - size), nullptr, false)))
+      out.push_back(std::move(*row));
+    size = end + 1;
+  }
+  return out;
+}
+
+}  // namespace mlab::study

@@ -1,0 +1,125 @@
+// What if: another future beside the run, of one that goes on, of a recording, and of two recordings.
+import { spawnSync } from "node:child_process";
+import { expect, onTestFinished, test } from "vitest";
+import { begin, look, Project } from "./begin.ts";
+import type { Console } from "./console.ts";
+import { Mlab } from "./mlab.ts";
+
+const line = ({ page }: Console) => page.getByRole("region", { name: "Time line" });
+const panel = ({ page }: Console) => page.getByRole("region", { name: "What if", exact: true });
+
+/** The run of a mission that comes with mlab, recorded. */
+function recorded(project: Project, file: string, ...options: string[]): string {
+  const path = project.path(file);
+  const all = ["run", project.path("demo_c.mdl"), "--headless", "--proceed", "--record", path, ...options];
+  const { status, stderr } = spawnSync(process.env.MLAB_COMMAND ?? "mlab", all, { encoding: "utf8" });
+  if (status !== 0) throw new Error(`mlab ended with ${status}:\n${stderr}`);
+  return path;
+}
+
+function projectOf(mission: string): Project {
+  const project = new Project(mission);
+  onTestFinished(() => project.remove());
+  return project;
+}
+
+async function goTo(console: Console, text: string, time: number): Promise<void> {
+  const field = line(console).getByRole("textbox", { name: "Time that is shown" });
+  await field.fill(text);
+  await field.press("Enter");
+  await expect.poll(() => console.time()).toBeCloseTo(time, 1);
+}
+
+/** What the map's uppermost canvas shows. */
+const top = ({ map }: Console) =>
+  map.evaluate((host) => {
+    const canvases = [...host.querySelectorAll("canvas")];
+    const canvas = canvases.find((one) => one.style.zIndex === "2")!;
+    if (canvas.style.display === "none") return 0;
+    const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+    let drawn = 0;
+    for (let i = 3; i < data.length; i += 4) if (data[i]! > 0) ++drawn;
+    return drawn;
+  });
+
+test("of a run that goes on: another order is computed beside it, shown as ghosts, and the run stays as it is", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  await console.main.click();
+  await console.reaches("Running");
+  await console.setSpeed("×10");
+  await expect.poll(() => console.time()).toBeGreaterThan(25);
+  await goTo(console, "15", 15);
+  const before = await top(console);
+  await line(console).getByRole("button", { name: "What if…" }).click();
+  const asked = panel(console);
+  await asked.getByRole("radio", { name: "Order" }).click();
+  const order = asked.getByRole("textbox", { name: "Order, as it is typed" });
+  await order.fill("UNIT scouts FLYTO ATK-AP1");
+  await asked.getByRole("button", { name: "Compute" }).click();
+  await asked.getByRole("alert").filter({ hasText: "column 13" }).waitFor();
+  await order.fill("UNIT scouts STOP");
+  await asked.getByRole("textbox", { name: "For how long [s]" }).fill("30");
+  await asked.getByRole("button", { name: "Compute" }).click();
+  await asked.getByText(/They part at/).waitFor();
+  await asked.getByRole("img", { name: /Distance between the same robot in both/ }).waitFor();
+  await goTo(console, "22", 22);
+  await expect.poll(() => top(console)).toBeGreaterThan(before + 200);
+  expect(await asked.getByRole("row", { name: /Robot 1/ }).textContent()).toMatch(/ m at 0:/);
+
+  // Where they part is a moment to go to.
+  await asked.getByRole("status").getByRole("button").click();
+  await expect.poll(() => console.time()).toBeLessThan(17);
+  await asked.getByRole("button", { name: "Remove" }).click();
+  await asked.getByRole("radio", { name: "Order" }).waitFor();
+  await expect.poll(() => top(console)).toBeLessThan(before + 200);
+  await line(console).getByRole("button", { name: "Now", exact: true }).click();
+  await expect.poll(() => console.time()).toBeGreaterThan(24);
+});
+
+test("of a recording: another parameter, saved as a recording that can be compared", async () => {
+  const project = projectOf("demo_c");
+  const file = recorded(project, "yesterday.mcap");
+  const mlab = await Mlab.replay(file);
+  onTestFinished(async () => {
+    await mlab.stop();
+  });
+  const console = await look(mlab);
+  const { page } = console;
+  await goTo(console, "20", 20);
+  await line(console).getByRole("button", { name: "What if…" }).click();
+  const asked = panel(console);
+  await asked.getByRole("combobox", { name: "Parameter" }).selectOption("base_velocity");
+  const value = asked.getByRole("textbox", { name: /^Value/ });
+  await expect.poll(() => value.inputValue()).not.toBe("");
+  await value.fill("0.3");
+  await asked.getByRole("textbox", { name: "For how long [s]" }).fill("20");
+  await asked.getByRole("button", { name: "Compute" }).click();
+  await asked.getByText(/They part at/).waitFor();
+  const download = page.waitForEvent("download");
+  await asked.getByRole("button", { name: "Save as recording" }).click();
+  const saved = project.path("other.mcap");
+  await (await download).saveAs(saved);
+  const { status, stdout } = spawnSync(process.env.MLAB_COMMAND ?? "mlab", ["replay", saved, "--headless", "--quiet"], {
+    encoding: "utf8",
+  });
+  expect(stdout).toMatch(/as recorded/);
+  expect(status).toBe(0);
+
+  await page.keyboard.press("Escape");
+  await asked.waitFor({ state: "detached" });
+});
+
+test("two recordings beside each other", async () => {
+  const project = projectOf("demo_c");
+  const a = recorded(project, "a.mcap", "--seed", "3");
+  const b = recorded(project, "b.mcap", "--seed", "4");
+  const mlab = await Mlab.replay(a, "--against", b);
+  onTestFinished(async () => {
+    await mlab.stop();
+  });
+  const console = await look(mlab);
+  const beside = console.page.getByRole("region", { name: "Beside another recording" });
+  await beside.getByText("Seed: 3 and 4.").waitFor();
+  await beside.getByText(/They part at/).waitFor({ timeout: 60_000 });
+  await beside.getByRole("row", { name: /^b done/ }).waitFor();
+});

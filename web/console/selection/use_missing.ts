@@ -1,0 +1,7 @@
+// What is told where nothing is known of a robot but its place.
+import { usePart } from "../session/session.ts";
+
+export function useMissing(): string {
+  const isOnlyRecorded = (usePart("timeLine")?.onlyRecorded ?? "") !== "";
+  return isOnlyRecorded ? "Where it was is all that was recorded of it." : "Waiting for its data…";
+}
