@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/text/one_line.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::history {
@@ -32,17 +33,16 @@ mdl::LoadOptions options_without_files() {
   return out;
 }
 
+// Its place is in the line, which has no file.
 std::string sentence_of(const std::string& line, const text::Diagnostics& problems) {
-  for (const text::Diagnostic& problem : problems.items()) {
-    if (problem.severity != text::Severity::kError) continue;
-    const std::string where =
-        problem.place.source
-            ? fmt::format(", column {}", problem.place.source->line_column(problem.place.span.begin).column)
-            : std::string();
-    return fmt::format("the order `{}`{}: {}", text::shown(line, 200), where,
-                       text::shown(problem.message, 1000));
-  }
-  return fmt::format("the order `{}` can't be understood", text::shown(line, 200));
+  const auto first = std::ranges::find(problems.items(), text::Severity::kError, &text::Diagnostic::severity);
+  if (first == problems.items().end())
+    return fmt::format("the order `{}` can't be understood", text::shown(line, 200));
+  text::Diagnostic problem = *first;
+  std::string where;
+  if (const text::SourcePtr source = std::exchange(problem.place.source, nullptr))
+    where = fmt::format(", column {}", source->line_column(problem.place.span.begin).column);
+  return fmt::format("the order `{}`{}: {}", text::shown(line, 200), where, text::one_line(problem));
 }
 
 class Brancher {

@@ -113,6 +113,27 @@ TEST(Branch, TakesAnotherTextOfAProgram) {
   EXPECT_EQ(replay->run().takeovers().size(), 1U);
 }
 
+TEST(Branch, SaysWhereAnotherTextIsWrongBeforeItIsComputed) {
+  WrittenRun written("forage/forage.mdl", 3, true);
+  written.run().post(mission::event::Execute{});
+  for (int i = 0; i < 100; ++i) written.step();
+  std::string path;
+  for (const std::uint32_t id : written.history()->version_at(50).texts()) {
+    const std::string& name = written.history()->text(id)->name();
+    if (name.ends_with("forager.cdl")) path = name;
+  }
+  const auto made = branch(*written.history(),
+                           {50, 5.0, {{path, "configuration Forager {\n  robot x: Nothing;\n}\n"}}, {}, true},
+                           written.run().mission());
+  ASSERT_TRUE(made) << made.error();
+  const auto replay = replay_of(made->history);
+  ASSERT_NE(replay, nullptr);
+  EXPECT_FALSE(replay->why_not_understood(49));
+  const auto why = replay->why_not_understood(50);
+  ASSERT_TRUE(why);
+  EXPECT_TRUE(why->starts_with("another version of the mission can't be made: forager.cdl:")) << *why;
+}
+
 TEST(Branch, SaysWhatIsNonsense) {
   WrittenRun written("demo_c/demo_c.mdl", 3, true);
   const auto error = [&](const Departure& departure) {
@@ -120,6 +141,7 @@ TEST(Branch, SaysWhatIsNonsense) {
     return made ? std::string() : made.error();
   };
   EXPECT_NE(error({0, 0.0, {}, {"UNIT scouts FLYTO ATK-AP1"}, true}).find("column 13"), std::string::npos);
+  EXPECT_EQ(error({0, 0.0, {}, {"UNIT scouts FLYTO ATK-AP1"}, true}).find(".mdl:"), std::string::npos);
   EXPECT_EQ(error({0, 0.0, {{"nowhere.cdl", ""}}, {}, true}),
             "there is no text `nowhere.cdl` that the mission of that moment is made from");
 }

@@ -55,6 +55,14 @@ std::optional<std::string> Replay::restore(const Checkpoint& checkpoint) {
   return std::nullopt;
 }
 
+std::optional<std::string> Replay::why_not_understood(std::uint64_t cycle) const {
+  const std::vector<InputEntry>& inputs = history().inputs();
+  for (std::size_t i = 0; i < inputs.size() && inputs[i].moment.cycle <= cycle; ++i) {
+    if (const Understood::One& input = understood_->input(i); !input) return input.error();
+  }
+  return std::nullopt;
+}
+
 bool Replay::part(std::string why) {
   divergence_ = Divergence{run_->cycle(), std::move(why)};
   return false;

@@ -41,6 +41,9 @@ class Replay {
   /// What came in after the last cycle is there, too: how the run stood when it ended.
   bool is_at_end() const { return is_at_end_; }
   const std::optional<Divergence>& divergence() const { return divergence_; }
+  /// Reads what came in after cycles up to this one before it is computed so far.
+  /// @return  why it can't be understood, as a sentence; nothing: all can
+  std::optional<std::string> why_not_understood(std::uint64_t cycle) const;
   /// Marks that were compared, and were equal.
   std::size_t equal_marks() const { return equal_marks_; }
 
