@@ -221,8 +221,8 @@ TEST(Interventions, RefuseWhatCanNotBeHeld) {
   HandledRobot robot(three_states());
   EXPECT_EQ(robot.hold("nobody", "1"), "the program has no `nobody`");
   EXPECT_EQ(robot.hold("b.start", "1"), "`b.start` is not computed: set it instead of holding it");
-  EXPECT_EQ(robot.hold("job", "much"), "`much` is no int");
-  EXPECT_EQ(robot.hold("sum", "inf"), "`inf` is no double");
+  EXPECT_EQ(robot.hold("job", "much"), "`much` is no whole number: `job` takes a whole number");
+  EXPECT_EQ(robot.hold("sum", "inf"), "`inf` is no number: `sum` takes a number");
   EXPECT_EQ(robot.release("job"), "`job` is not held");
   EXPECT_EQ(robot.release("nobody"), "`nobody` is not held");
   EXPECT_TRUE(robot.hands().is_empty());

@@ -12,6 +12,8 @@
 #include "mlab/base/hash.h"
 #include "mlab/flow/async_runner.h"
 #include "mlab/flow/port_types.h"
+#include "mlab/flow/type_words.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::flow {
 namespace {
@@ -314,10 +316,30 @@ percept::Needs Program::needs(const std::byte* frame, const Interventions* inter
   return out;
 }
 
+namespace {
+
+constexpr double kUnlimited = 1e300;  // as Input has it where an author gives no range
+
+// With its range and its unit.
+std::string expected_of(const Port& port) {
+  std::string out = flow::expected_of(*port.type);
+  const bool is_number = port.type->kind == TypeKind::kReal || port.type->kind == TypeKind::kInteger;
+  const bool has_min = is_number && port.min > -kUnlimited;
+  const bool has_max = is_number && port.max < kUnlimited;
+  if (has_min && has_max) out += fmt::format(", {} .. {}", port.min, port.max);
+  if (has_min && !has_max) out += fmt::format(", at least {}", port.min);
+  if (has_max && !has_min) out += fmt::format(", at most {}", port.max);
+  return port.edge_unit.empty() ? out : fmt::format("{} [{}]", out, port.edge_unit);
+}
+
+}  // namespace
+
 std::optional<std::string> Program::read(const Port& port, std::string_view text, ValueBytes& out) {
   if (port.type->parse == nullptr || port.type->size > out.size())
     return fmt::format("`{}` is of type {}, which has no constants", port.path, port.type->name);
-  if (!port.type->parse(text, out.data())) return fmt::format("`{}` is no {}", text, port.type->name);
+  if (!port.type->parse(text, out.data()))
+    return fmt::format("`{}` is no {}: `{}` takes {}", text::shown(text, 100), noun_of(*port.type), port.path,
+                       expected_of(port));
   if (port.type->kind != TypeKind::kReal && port.type->kind != TypeKind::kInteger) return std::nullopt;
   double number = 0.0;
   if (port.type->kind == TypeKind::kReal) std::memcpy(&number, out.data(), sizeof number);

@@ -11,6 +11,7 @@
 #include "mlab/flow/builder_hints.h"
 #include "mlab/flow/conversions.h"
 #include "mlab/flow/port_types.h"
+#include "mlab/flow/type_words.h"
 
 namespace mlab::flow {
 namespace {
@@ -339,8 +340,8 @@ ProgramBuilder::Ref ProgramBuilder::constant(const Source& source, const TypeInf
   std::vector<std::byte> value(std::max<std::size_t>(type.size, 1));
   if (type.parse == nullptr || !type.parse(source.text, value.data())) {
     text::Diagnostic& d =
-        sink_.error("wrong-type", source.place, fmt::format("`{}` is no {}", source.text, type.name));
-    d.label = fmt::format("`{}` takes {}{}", path, type.name, unit_suffix(seen_unit));
+        sink_.error("wrong-type", source.place, fmt::format("`{}` is no {}", source.text, noun_of(type)));
+    d.label = fmt::format("`{}` takes {}{}", path, expected_of(type), unit_suffix(seen_unit));
     return {};
   }
   Port port{path,

@@ -48,7 +48,7 @@ TEST(BuildProgram, RefusesTypesThatDoNotAgree) {
   EXPECT_EQ(said_of(with_sink({node("t", "After"), node("a", "Add", {{"a", name("t")}})}, "a")),
             "wrong-type: a bool is linked where a double is expected\n");
   EXPECT_EQ(said_of(with_sink({node("a", "Add", {{"a", constant("fast")}})}, "a")),
-            "wrong-type: `fast` is no double\n");
+            "wrong-type: `fast` is no number\n");
   EXPECT_EQ(said_of(with_sink(
                 {node("s", "Show", {{"value", constant("1")}}), node("a", "Add", {{"a", name("s")}})}, "a")),
             "sink-as-source: `s` has no output: Show is a sink\n");

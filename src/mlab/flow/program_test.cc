@@ -50,7 +50,8 @@ TEST(Program, RefusesAValueThatIsOutOfRangeOrOfTheWrongType) {
   Runner run(chain_network());
   const Port& gain = *run.program->find("gain");
   EXPECT_EQ(run.program->set(run.frame.data(), gain, "11"), "11 is out of range: `gain` takes 0 .. 10");
-  EXPECT_EQ(run.program->set(run.frame.data(), gain, "fast"), "`fast` is no double");
+  EXPECT_EQ(run.program->set(run.frame.data(), gain, "fast"),
+            "`fast` is no number: `gain` takes a number, 0 .. 10");
   EXPECT_TRUE(run.program->set(run.frame.data(), gain, "nan"));
   EXPECT_TRUE(run.program->set(run.frame.data(), *run.program->find("total"), "1"));
   EXPECT_DOUBLE_EQ(run.number("gain"), 2.0);

@@ -47,7 +47,7 @@ test("a value on a wire is held, shown as held, and released", async () => {
   await field.fill("nonsense");
   await details.getByRole("button", { name: "Hold", exact: true }).click();
   await page
-    .getByText(/nonsense.* is no Vector/)
+    .getByText(/nonsense.* is no vector/)
     .first()
     .waitFor({ timeout: 15_000 });
   await field.fill("0.5, 0");

@@ -113,7 +113,8 @@ TEST_F(Intervening, AHeldValueIsToldToAllAndReleasedWithTheRun) {
   EXPECT_EQ(ben.held().values(0).port(), "movement");
   EXPECT_TRUE(tells("Anna: hold movement of robot 2 at {0.25, 0}"));
   cycles(2);
-  EXPECT_EQ(ask(hold(2, "movement", "fast")), "`fast` is no Vector");
+  EXPECT_EQ(ask(hold(2, "movement", "fast")),
+            "`fast` is no vector: `movement` takes two or three numbers, as {1, 2}");
   EXPECT_EQ(ask(release(1, "movement")), "`movement` is not held");
   EXPECT_EQ(ask(release(0, "movement")), "");
   ASSERT_TRUE(ben.wait([&] { return ben.held().values().empty(); }));

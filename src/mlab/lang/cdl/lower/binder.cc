@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/frame.h"
+#include "mlab/flow/type_words.h"
 #include "mlab/lang/cdl/types/types.h"
 #include "mlab/lang/cdl/types/units.h"
 
@@ -23,6 +24,12 @@ std::string with_article(std::string_view name) {
 
 std::string described(const PortType& type) {
   return fmt::format("{}{}", type.name(), bracketed(type.unit));
+}
+
+// Of a value that is written down; vectors and points are no single words here.
+std::string expected(const PortType& type) {
+  const bool is_list = type.type->kind == TypeKind::kVector || type.type->kind == TypeKind::kPoint;
+  return is_list ? described(type) : flow::expected_of(*type.type) + bracketed(type.unit);
 }
 
 bool parses(const flow::TypeInfo& type, const std::string& text) {
@@ -150,8 +157,10 @@ std::optional<flow::Source> Binder::bind_number(const Value& value, const PortTy
     const std::string text = fmt::format("{}", value.number);
     const bool takes_numbers = kind == TypeKind::kMask || kind == TypeKind::kChoice;
     if (takes_numbers && value.unit.empty() && parses(*type.type, text)) return constant(text, value.place);
-    findings_.error("wrong-type", place, fmt::format("`{}` is no {}", quoted_number(value), type.type->name))
-        .label = fmt::format("`{}` takes {}", name, described(type));
+    findings_
+        .error("wrong-type", place,
+               fmt::format("`{}` is no {}", quoted_number(value), flow::noun_of(*type.type)))
+        .label = fmt::format("`{}` takes {}", name, expected(type));
     return std::nullopt;
   }
   double number = value.number;
@@ -173,7 +182,7 @@ std::optional<flow::Source> Binder::bind_number(const Value& value, const PortTy
   if (kind == TypeKind::kInteger &&
       (number != std::floor(number) || std::abs(number) > std::numeric_limits<int>::max())) {
     findings_.error("wrong-type", place, fmt::format("`{}` is no whole number", quoted_number(value))).label =
-        fmt::format("`{}` takes {}", name, described(type));
+        fmt::format("`{}` takes {}", name, expected(type));
     return std::nullopt;
   }
   if (input != nullptr && (number < input->min || number > input->max)) {
@@ -190,10 +199,11 @@ std::optional<flow::Source> Binder::bind_word(const Value& value, const PortType
   const bool is_word = value.kind == Value::Kind::kWord;
   if (!(is_word ? kind == TypeKind::kText : is_number(kind)) && parses(*type.type, value.text))
     return constant(value.text, value.place);
-  const std::string label = fmt::format("`{}` takes {}", name, described(type));
+  const std::string label = fmt::format("`{}` takes {}", name, expected(type));
   if (!is_word) {
-    findings_.error("wrong-type", place, fmt::format("\"{}\" is no {}", value.text, type.type->name)).label =
-        label;
+    findings_
+        .error("wrong-type", place, fmt::format("\"{}\" is no {}", value.text, flow::noun_of(*type.type)))
+        .label = label;
     return std::nullopt;
   }
   text::Diagnostic& d =
@@ -231,8 +241,10 @@ std::optional<flow::Source> Binder::bind_coordinates(const Value& value, const P
   }
   findings_
       .error("wrong-type", place,
-             fmt::format("a list stands where {} is expected", with_article(type.type->name)))
-      .label = fmt::format("`{}` takes {}", name, described(type));
+             fmt::format("a list stands where {} is expected", is_number(kind) || kind == TypeKind::kBool
+                                                                   ? flow::expected_of(*type.type)
+                                                                   : with_article(type.type->name)))
+      .label = fmt::format("`{}` takes {}", name, expected(type));
   return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 
 #include "mlab/flow/frame.h"
 #include "mlab/flow/port_types.h"
+#include "mlab/flow/type_words.h"
 
 namespace mlab::cdl {
 namespace {
@@ -217,8 +218,8 @@ std::optional<std::int64_t> OperatorLowering::case_value(const Word& word, const
   alignas(flow::Frame::kAlignment) std::byte scratch[512] = {};
   const bool fits = type.parse != nullptr && type.size <= sizeof(std::int64_t);
   if (!fits || !type.parse(word.text, scratch)) {
-    findings_.error("wrong-type", word.place, fmt::format("`{}` is no {}", word.text, type.name)).label =
-        fmt::format("the selector is {}", type.name);
+    findings_.error("wrong-type", word.place, fmt::format("`{}` is no {}", word.text, flow::noun_of(type)))
+        .label = fmt::format("the selector takes {}", flow::expected_of(type));
     return std::nullopt;
   }
   if (type.kind == flow::TypeKind::kInteger) {
