@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "mlab/console/published/overview.h"
+#include "mlab/console/run/told_effects.h"
 #include "mlab/console/session/request.h"
 #include "mlab/history/digest.h"
 #include "mlab/history/recorded_names.h"
@@ -68,6 +69,11 @@ std::unique_ptr<OtherRun> OtherRun::make(std::unique_ptr<history::Replay> own,
   if (!settings.is_recording) other->reach(other->last_cycle() + kFarAhead, settings.until);
   auto replay = history::Replay::make(std::move(other), tools, sink);
   if (!replay) return nullptr;
+  // Whoever has written a text is told of its errors at once.
+  if (auto why = settings.is_recording ? std::nullopt : replay->why_not_understood(settings.from_cycle)) {
+    sink.error("not-understood", {}, std::move(*why));
+    return nullptr;
+  }
   return std::unique_ptr<OtherRun>(new OtherRun(std::move(own), std::move(replay), std::move(settings)));
 }
 
@@ -81,6 +87,7 @@ OtherRun::OtherRun(std::unique_ptr<history::Replay> own, std::unique_ptr<history
   const double most = std::clamp(kMostPlaces / robots, kFewestSamples, kMostSamples);
   spacing_ = std::max(0.0, (settings_.until - settings_.from) / most);
   if (!settings_.is_recording) begin_writing();
+  begin_listening();
 }
 
 void OtherRun::begin_writing() {
@@ -88,12 +95,21 @@ void OtherRun::begin_writing() {
   const wire::HistoryBeginning& then = sides_[kOther].replay->history().beginning();
   writer_ = std::make_unique<history::HistoryWriter>(
       [this](const wire::HistoryEntry& entry) { entries_.push_back(entry); });
-  run.set_observer([this](const mission::Effect& effect) { writer_->see(effect); });
   writer_->begin(run, {settings_.version,
                        {then.overlay_folders().begin(), then.overlay_folders().end()},
                        then.obstacle_seed(),
                        then.started_at()});
   writer_->note_cycle();
+}
+
+void OtherRun::begin_listening() {
+  for (const std::size_t side : {kOwn, kOther}) {
+    run::MissionRun& run = sides_[side].replay->run();
+    run.set_observer([this, side, &run](const mission::Effect& effect) {
+      if (side == kOther && writer_) writer_->see(effect);
+      tell_effect(run, effect, sides_[side].log);
+    });
+  }
 }
 
 // ---- computing
@@ -122,6 +138,7 @@ bool OtherRun::goes_on(std::size_t side) const {
 bool OtherRun::depart() {
   if (goes_on(kOwn) && sides_[kOwn].replay->run().cycle() < settings_.from_cycle) return true;
   has_departed_ = true;
+  for (Side& side : sides_) side.log = {};
   run::MissionRun& run = sides_[kOther].replay->run();
   takeovers_before_ = run.takeovers().size();
   awaits_takeover_ = settings_.takes_over;
@@ -166,6 +183,7 @@ void OtherRun::step(std::size_t side) {
     end(side);
     return;
   }
+  sides_[side].alarms.look(replay.run(), sides_[side].log);
   if (side != kOther) return;
   if (writer_) writer_->note_cycle();
   if (std::exchange(awaits_takeover_, false) && replay.run().takeovers().size() == takeovers_before_)
@@ -202,6 +220,7 @@ void OtherRun::end(std::size_t side) {
 void OtherRun::fail(const std::string& problem) {
   problem_ = clean(problem);
   is_under_way_ = false;
+  told_ = told_apart(sides_[kOwn].log, sides_[kOther].log);
 }
 
 // As far as it is wanted may be just where it ended.
@@ -231,6 +250,7 @@ void OtherRun::finish() {
       fate.set_state(std::string(fleet::name(robot->life)));
     }
   }
+  told_ = told_apart(sides_[kOwn].log, sides_[kOther].log);
   if (writer_) writer_->end(sides_[kOther].outcome == "goes on" ? "interrupted" : sides_[kOther].outcome);
 }
 
@@ -307,7 +327,11 @@ void OtherRun::encode(OtherFuture& out) const {
   out.set_computed_to(sides_[kOther].replay->run().time());
   out.set_is_under_way(is_under_way_);
   out.set_problem(problem_);
-  if (is_under_way_ || !problem_.empty()) return;
+  if (is_under_way_) return;
+  out.mutable_told_own()->Assign(told_.alone[kOwn].begin(), told_.alone[kOwn].end());
+  out.mutable_told_other()->Assign(told_.alone[kOther].begin(), told_.alone[kOther].end());
+  out.set_told_left_out(told_.left_out);
+  if (!problem_.empty()) return;
   if (parting_) *out.mutable_parting() = *parting_;
   for (const std::size_t side : {kOwn, kOther}) {
     const run::MissionRun& run = sides_[side].replay->run();

@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "mlab/console.pb.h"
+#include "mlab/console/past/told_apart.h"
+#include "mlab/console/run/alarms.h"
+#include "mlab/console/run/event_log.h"
 #include "mlab/history/history_writer.h"
 #include "mlab/history/replay.h"
 #include "mlab/text/diagnostic.h"
@@ -58,6 +61,8 @@ class OtherRun {
     std::unique_ptr<history::Replay> replay;
     bool is_over = false;
     std::string outcome;  ///< once it is over
+    EventLog log;         ///< from where they depart
+    Alarms alarms;
   };
   struct Track {
     OtherFuture::Robot told;
@@ -67,6 +72,7 @@ class OtherRun {
 
   OtherRun(std::unique_ptr<history::Replay> own, std::unique_ptr<history::Replay> other, Settings settings);
   void begin_writing();
+  void begin_listening();
   bool depart();
   void step_behind();
   void step(std::size_t side);
@@ -94,6 +100,7 @@ class OtherRun {
   double spacing_ = 0.0;      // of samples [s]
   std::vector<float> times_;
   std::map<std::uint32_t, Track> tracks_;
+  ToldApart told_;  // once it is no longer under way
   std::string problem_;
 };
 

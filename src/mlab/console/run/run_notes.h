@@ -62,8 +62,6 @@ class RunNotes {
  private:
   void add_seen(const mission::Effect& effect);
   void note_cycle(EventLog& alarms);
-  void tell(const mission::effect::Tell& told);
-  void print(bool robot_info);
 
   const run::MissionRun& run_;
   EventLog* log_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -11,6 +12,7 @@
 #include "mlab/console/published/overview.h"
 #include "mlab/history/branch.h"
 #include "mlab/text/line_ends.h"
+#include "mlab/text/one_line.h"
 #include "mlab/text/utf8.h"
 
 namespace mlab::console {
@@ -18,7 +20,7 @@ namespace {
 
 constexpr double kFuturePiece = 0.03;  // who asks for a moment meanwhile waits for so long [s]
 constexpr double kLeast = 60.0;        // of a future, where nobody says how long [s]
-constexpr double kLongest = 3600.0;    // [s]
+constexpr double kLongest = 7200.0;    // [s]
 constexpr int kMostChanges = 64;
 constexpr std::size_t kMostTextBytes = std::size_t{4} << 20;  // of all texts that can be changed [bytes]
 
@@ -42,8 +44,11 @@ Answered why_nonsense(const WhatIf& asked) {
     return fmt::format("it is to go on for {} s: expected 0 to {:.0f} s", asked.seconds(), kLongest);
   if (asked.changes_size() > kMostChanges)
     return fmt::format("{} changes are asked for: at most {}", asked.changes_size(), kMostChanges);
+  std::set<std::string> paths;
   for (const WhatIf::Change& change : asked.changes()) {
     if (change.what_case() == WhatIf::Change::WHAT_NOT_SET) return "a change says nothing";
+    if (change.has_text() && !paths.insert(change.text().path()).second)
+      return fmt::format("two texts are given for `{}`", clean(change.text().path()));
     if (change.has_parameter() && change.parameter().robots().empty()) return "no robot is named";
     if (change.has_order() && change.order().find_first_not_of(" \t") == std::string::npos)
       return "the order is empty: expected a line of a mission, as UNIT scouts STOP";
@@ -69,21 +74,21 @@ Answered why_no_such(const WhatIf::Parameter& set, const run::MissionRun& run) {
     const fleet::FleetRobot* const robot = run.fleet().find({id});
     if (robot == nullptr) return fmt::format("there is no robot {}", id);
     const auto program = robot->workings().program;
-    if (program != nullptr && program->find(set.port()) == nullptr)
+    if (program == nullptr) continue;
+    const flow::Port* const port = program->find(set.port());
+    if (port == nullptr)
       return fmt::format("the program of robot {} has no parameter `{}`", id, clean(set.port()));
+    // A point may be a place of the map by its name.
+    if (port->type->kind == flow::TypeKind::kPoint) continue;
+    alignas(flow::Frame::kAlignment) flow::Program::ValueBytes value{};
+    if (auto error = flow::Program::read(*port, set.value(), value)) return error;
   }
   return std::nullopt;
 }
 
 std::string first_problem(const text::Diagnostics& problems) {
-  for (const text::Diagnostic& one : problems.items()) {
-    if (one.severity != text::Severity::kError) continue;
-    if (!one.place.source) return clean(one.message);
-    const auto [line, column] = one.place.source->line_column(one.place.span.begin);
-    return clean(
-        fmt::format("{}:{}:{}: {}", file_name_of(one.place.source->name()), line, column, one.message));
-  }
-  return "it can't be computed";
+  std::string out = text::first_error(problems);
+  return out.empty() ? "it can't be computed" : out;
 }
 
 std::expected<std::unique_ptr<OtherRun>, std::string> future_of(const WhatIf& asked, PastRun& past,

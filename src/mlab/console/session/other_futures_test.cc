@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -137,6 +138,77 @@ TEST(OtherFutures, PartWithAnotherParameter) {
   EXPECT_GT(future.parting().cycle(), 100U);
 }
 
+bool has_told(const google::protobuf::RepeatedPtrField<Log::Entry>& told, const std::string& part) {
+  return std::ranges::any_of(told, [&](const Log::Entry& entry) { return entry.text().contains(part); });
+}
+
+TEST(OtherFutures, TellWhatIsToldThereAlone) {
+  Paused paused;
+  paused.run();
+  const OtherFuture& future = paused.future(with_order(what_if(100, 20.0), "UNIT scouts START AA-AA1 0 20"));
+  EXPECT_EQ(future.problem(), "");
+  const auto refused = std::ranges::find_if(future.told_other(), [](const Log::Entry& entry) {
+    return entry.text().contains("can't be started again");
+  });
+  ASSERT_NE(refused, future.told_other().end()) << future.ShortDebugString().substr(0, 2000);
+  EXPECT_TRUE(refused->is_alert());
+  EXPECT_GE(refused->time(), 10.0);
+  EXPECT_LT(refused->time(), 11.0);
+  EXPECT_FALSE(has_told(future.told_own(), "can't be started again"));
+  EXPECT_FALSE(paused.anna.has_log("can't be started again")) << "the run knows nothing of it";
+  // What was told in both is in neither list, and what was told before they depart neither.
+  for (const auto* told : {&future.told_own(), &future.told_other()}) {
+    for (const Log::Entry& entry : *told) EXPECT_GE(entry.time(), 10.0) << entry.text();
+  }
+  EXPECT_FALSE(has_told(future.told_own(), "MOVETO ATK-AP1")) << "what people did later comes in there, too";
+}
+
+TEST(OtherFutures, OfTheRunItselfTellNothingApart) {
+  Paused paused;
+  paused.run();
+  const OtherFuture& future = paused.future(what_if(100));
+  EXPECT_TRUE(future.told_own().empty()) << future.told_own(0).text();
+  EXPECT_TRUE(future.told_other().empty()) << future.told_other(0).text();
+}
+
+TEST(OtherFutures, MayBeOfSeveralChanges) {
+  Paused paused;
+  paused.run();
+  const OtherFuture& future = paused.future(
+      with_order(with_order(with_parameter(what_if(100, 20.0), 1, "base_velocity", "0.3"), "ROBOT 2 STOP"),
+                 "ROBOT 3 STOP"));
+  EXPECT_EQ(future.problem(), "");
+  ASSERT_EQ(future.changes_size(), 3);
+  EXPECT_EQ(future.changes(2), "the order `ROBOT 3 STOP`");
+  ASSERT_EQ(future.robots_size(), 4);
+  for (const int robot : {0, 1, 2}) EXPECT_GT(future.robots(robot).most_apart(), 0.5) << robot;
+}
+
+// As an editor says it, and before anything is computed.
+TEST(OtherFutures, SayWhereAnotherTextIsWrong) {
+  Paused paused;
+  paused.run();
+  ToServer read;
+  read.mutable_read_changeable()->set_cycle(100);
+  read.mutable_read_changeable()->set_robot(1);
+  const Reply reply = paused.anna.ask(read);
+  ToServer asked = what_if(100, 10.0);
+  for (const Changeable::Text& text : reply.changeable().texts()) {
+    if (!text.path().ends_with(".mdl")) continue;
+    WhatIf::Text& other = *asked.mutable_what_if()->add_changes()->mutable_text();
+    other.set_path(text.path());
+    other.set_text(text.text() + "  99. UNIT scouts MOVETO ATK-AP77\n");
+  }
+  ASSERT_EQ(asked.what_if().changes_size(), 1);
+  const std::string error = Browser::error_of(paused.anna.ask(asked));
+  EXPECT_NE(error.find("demo_c.mdl:"), std::string::npos) << error;
+  EXPECT_NE(error.find("ATK-AP77"), std::string::npos) << error;
+  EXPECT_NE(error.find("did you mean"), std::string::npos) << error;
+  EXPECT_EQ(paused.anna.other_future().name(), "");
+  *asked.mutable_what_if()->add_changes() = asked.what_if().changes(0);
+  EXPECT_NE(Browser::error_of(paused.anna.ask(asked)).find("two texts are given for"), std::string::npos);
+}
+
 TEST(OtherFutures, SayWhatIsNonsense) {
   Paused paused;
   paused.run();
@@ -148,12 +220,12 @@ TEST(OtherFutures, SayWhatIsNonsense) {
             std::string::npos);
   EXPECT_NE(error(with_order(what_if(100), " ")).find("the order is empty"), std::string::npos);
   EXPECT_NE(error(what_if(100'000)).find("cycle 100000 has not come"), std::string::npos);
-  EXPECT_NE(error(what_if(10, -3.0)).find("expected 0 to 3600 s"), std::string::npos);
+  EXPECT_NE(error(what_if(10, -3.0)).find("expected 0 to 7200 s"), std::string::npos);
   ToServer text;
   text.mutable_what_if()->add_changes()->mutable_text()->set_path("/etc/passwd");
   EXPECT_NE(error(text).find("there is no text `/etc/passwd`"), std::string::npos);
-  // What only shows while it is computed.
-  EXPECT_NE(paused.future(with_parameter(what_if(100), 1, "base_velocity", "fast")).problem(), "");
+  const std::string no_number = error(with_parameter(what_if(100), 1, "base_velocity", "fast"));
+  EXPECT_TRUE(no_number.starts_with("`fast` is no number: `base_velocity` takes a number")) << no_number;
   EXPECT_EQ(paused.anna.control(Control::RESUME), "");
 }
 
