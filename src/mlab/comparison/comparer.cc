@@ -127,6 +127,8 @@ void Comparer::note_robots() {
       RobotRow* const row = row_of(robot.id);
       if (row == nullptr) continue;
       row->is_there[side] = true;
+      if (row->has_values && robot.life == fleet::RobotLife::kRunning && !robot.workings())
+        row->has_values = false;
       if (!row->first_contact[side] && run.world().body(robot.body).contacts > 0)
         row->first_contact[side] = run.time();
     }

@@ -40,6 +40,43 @@ TEST(Comparer, FindsNothingInTheSameRunTwice) {
   for (const EventRow& event : is.events) EXPECT_TRUE(event.times[0] && event.times[1]) << event.text;
 }
 
+// Of what robots in executables hold inside nothing is recorded.
+TEST(Comparer, SaysOfWhichRobotsOnlyTheAnswersWereCompared) {
+  const auto answered = [] {
+    WrittenRun written(kDemo, 3, true, true);
+    written.run().post(mission::event::Execute{});
+    for (int i = 0; i < 200; ++i) written.step();
+    written.end();
+    return written.history();
+  };
+  const Comparison is = compared(answered(), answered());
+  ASSERT_TRUE(is.is_recomputed) << report_of(is);
+  EXPECT_TRUE(is.is_same()) << report_of(is);
+  EXPECT_EQ(verdict(is), "the same run, as far as robots' programs can be seen into");
+  for (const std::string& text : {report_of(is), page_of(is, "test")}) {
+    EXPECT_FALSE(has_page(text, "all values")) << text;
+    EXPECT_TRUE(has_page(text, "what all robots answered and where they were is the same")) << text;
+    EXPECT_TRUE(has_page(text, "Of all robots only what was answered and where they were is compared"))
+        << text;
+  }
+  EXPECT_EQ(nlohmann::json::parse(json_of(is))["robots"][0]["are_values_compared"], false);
+  // And where one of both has the programs.
+  const Comparison other = compared(answered(), carried_out(kDemo, 3, 200));
+  EXPECT_FALSE(has_page(report_of(other), "all values")) << report_of(other);
+}
+
+TEST(Comparer, SaysWhichRunHasARobotAlone) {
+  const Comparison is = compared(carried_out(kDemo, 1, 50), carried_out("forage/forage.mdl", 1, 50));
+  ASSERT_TRUE(is.is_recomputed) << report_of(is);
+  const std::vector<std::string> alone = alone_words(is);
+  ASSERT_EQ(alone.size(), 1U) << report_of(is);
+  const std::string where = alone[0].ends_with("in A alone") ? "only in A" : "only in B";
+  for (const std::string& text : {report_of(is), page_of(is, "test")}) {
+    EXPECT_TRUE(has_page(text, alone[0])) << text;
+    EXPECT_TRUE(has_page(text, where)) << text;
+  }
+}
+
 TEST(Comparer, NamesCycleRobotAndNodeOfTwoSeeds) {
   const Comparison is = compared(carried_out(kDemo, 1, 300), carried_out(kDemo, 2, 300));
   ASSERT_TRUE(is.parting) << report_of(is);

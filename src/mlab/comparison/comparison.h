@@ -79,6 +79,9 @@ struct Parting {
 struct RobotRow {
   std::uint32_t id = 0;
   Both<bool> is_there{};  ///< it was in the world at some time
+  /// False: at some time only what it answered and where it was could be compared, not the values of its
+  /// program.
+  bool has_values = true;
   double most_apart = 0.0;
   double most_apart_at = 0.0;
   double apart_at_end = 0.0;  ///< when both were there last
@@ -134,8 +137,8 @@ struct Side {
 /// What two runs have in common, and what not.
 struct Comparison {
   Both<Side> sides;
-  /// Both were computed again, so every value of every robot in every cycle was compared; else only what was
-  /// recorded: poses, events, the end.
+  /// Both were computed again, so every value of every robot in every cycle was compared
+  /// (RobotRow::has_values says of which it was not); else only what was recorded: poses, events, the end.
   bool is_recomputed = true;
   bool is_whole = true;  ///< false: nobody waited for the end
   Beginning beginning;

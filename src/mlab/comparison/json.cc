@@ -97,6 +97,7 @@ Json parting_json(const Parting& parting) {
 
 Json robot_json(const RobotRow& row, bool is_recomputed) {
   Json out = {{"id", row.id}, {"is_there", both(row.is_there, [](bool there) { return Json(there); })}};
+  out["are_values_compared"] = is_recomputed && row.has_values && row.is_there[0] && row.is_there[1];
   out["most_apart_m"] = number(row.most_apart);
   out["most_apart_at_s"] = number(row.most_apart_at);
   out["apart_at_end_m"] = number(row.apart_at_end);

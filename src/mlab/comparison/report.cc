@@ -65,10 +65,7 @@ class Report {
         out_ += fmt::format("   it can't be computed again: {}\n", one.why_not_recomputed);
       for (const std::string& remark : one.remarks) out_ += fmt::format("   {}\n", remark);
     }
-    if (!is_.is_recomputed)
-      out_ +=
-          "Only what was recorded is compared: where robots were once a second, what was told, how it "
-          "ended.\n";
+    if (const std::string compared = compared_words(is_); !compared.empty()) out_ += compared + "\n";
     if (!is_.is_whole) out_ += "It was interrupted: what comes later was not compared.\n";
   }
 
@@ -106,9 +103,7 @@ class Report {
                           input.inputs[1].empty() ? "nothing" : input.inputs[1]);
     }
     if (!is_.parting) {
-      out_ += fmt::format("  nowhere: {}\n", is_.is_recomputed
-                                                 ? "all values of all robots are the same in all cycles"
-                                                 : "what was recorded is the same");
+      out_ += fmt::format("  nowhere: {}\n", same_words(is_));
       return;
     }
     const Parting& parting = *is_.parting;
@@ -148,13 +143,12 @@ class Report {
     if (is_.is_recomputed) rows[0].insert(rows[0].end(), {"drove A", "drove B", "contacts A", "contacts B"});
     for (const RobotRow* const row : listed) rows.push_back(cells_of(*row));
     out_ += aligned(rows, 1);
+    for (const std::string& alone : alone_words(is_)) out_ += fmt::format("  {}\n", alone);
   }
 
   std::vector<std::string> cells_of(const RobotRow& row) const {
-    if (!row.is_there[0] || !row.is_there[1])
-      return {std::to_string(row.id), row.is_there[0]   ? "only in A"
-                                      : row.is_there[1] ? "only in B"
-                                                        : "not started"};
+    if (std::string where = where_it_is(row); !where.empty())
+      return {std::to_string(row.id), std::move(where)};
     std::vector<std::string> out = {std::to_string(row.id), fmt::format("{:.2f} m", row.most_apart),
                                     fmt::format("{:.1f} s", row.most_apart_at),
                                     fmt::format("{:.2f} m", row.apart_at_end)};

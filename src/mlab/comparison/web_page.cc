@@ -68,10 +68,7 @@ class PageOfTwo {
       if (!one.why_not_recomputed.empty()) paragraph("It can't be computed again: " + one.why_not_recomputed);
       for (const std::string& remark : one.remarks) paragraph(remark);
     }
-    if (!is_.is_recomputed)
-      paragraph(
-          "Only what was recorded is compared: where robots were once a second, what was told, how it "
-          "ended.");
+    if (const std::string compared = compared_words(is_); !compared.empty()) paragraph(compared);
     if (!is_.is_whole) paragraph("It was interrupted: what comes later was not compared.");
   }
 
@@ -107,7 +104,7 @@ class PageOfTwo {
                             input->inputs[0].empty() ? "nothing" : input->inputs[0],
                             input->inputs[1].empty() ? "nothing" : input->inputs[1]));
     if (!is_.parting) {
-      paragraph("Nowhere.");
+      paragraph(fmt::format("Nowhere: {}.", same_words(is_)));
       return;
     }
     const Parting& parting = *is_.parting;
@@ -144,13 +141,11 @@ class PageOfTwo {
       page::Line line;
       for (std::size_t k = 0; k < std::min(row.apart.size(), is_.times.size()); ++k)
         line.points.emplace_back(is_.times[k], static_cast<double>(row.apart[k]));
-      out_ +=
-          page::line_row({fmt::format("robot {}", row.id),
-                          {std::move(line)},
-                          top,
-                          fmt::format("at most {:.1f} m, at last {:.1f} m", row.most_apart, row.apart_at_end),
-                          mark()},
-                         axis);
+      std::string figure = where_it_is(row);
+      if (figure.empty())
+        figure = fmt::format("at most {:.1f} m, at last {:.1f} m", row.most_apart, row.apart_at_end);
+      out_ += page::line_row(
+          {fmt::format("robot {}", row.id), {std::move(line)}, top, std::move(figure), mark()}, axis);
     }
     out_ += page::axis_row(axis);
     if (farthest_.size() > kMostRowsDrawn)
@@ -178,18 +173,33 @@ class PageOfTwo {
   }
 
   void add_robots() {
-    if (is_.robots.empty() || !is_.is_recomputed) return;
+    if (is_.robots.empty()) return;
     head("Robots");
-    TableRows rows = {{"robot", "apart at most [m]", "at [s]", "at the end [m]", "drove A [m]", "drove B [m]",
-                       "contacts A", "contacts B", "first contact A [s]", "first contact B [s]"}};
-    for (const RobotRow& row : is_.robots) {
-      rows.push_back({std::to_string(row.id), fmt::format("{:.2f}", row.most_apart),
-                      fmt::format("{:.1f}", row.most_apart_at), fmt::format("{:.2f}", row.apart_at_end),
-                      fmt::format("{:.1f}", row.driven[0]), fmt::format("{:.1f}", row.driven[1]),
-                      std::to_string(row.contacts[0]), std::to_string(row.contacts[1]),
-                      seconds(row.first_contact[0]), seconds(row.first_contact[1])});
+    for (const std::string& alone : alone_words(is_)) paragraph(alone + ".");
+    TableRows rows = {{"robot", "", "apart at most [m]", "at [s]", "at the end [m]"}};
+    if (is_.is_recomputed)
+      rows[0].insert(rows[0].end(), {"drove A [m]", "drove B [m]", "contacts A", "contacts B",
+                                     "first contact A [s]", "first contact B [s]"});
+    for (const RobotRow& row : is_.robots) rows.push_back(cells_of(row));
+    add_table("The same robots in both", std::move(rows), 2);
+  }
+
+  // Of who is in one of them alone nothing is said of the other.
+  std::vector<std::string> cells_of(const RobotRow& row) const {
+    std::vector<std::string> out = {std::to_string(row.id), where_it_is(row), "", "", ""};
+    if (out[1].empty()) {
+      out[2] = fmt::format("{:.2f}", row.most_apart);
+      out[3] = fmt::format("{:.1f}", row.most_apart_at);
+      out[4] = fmt::format("{:.2f}", row.apart_at_end);
     }
-    add_table("The same robots in both", std::move(rows), 1);
+    if (!is_.is_recomputed) return out;
+    const auto add = [&](auto words) {
+      for (const std::size_t side : kSides) out.push_back(row.is_there[side] ? words(side) : "");
+    };
+    add([&](std::size_t side) { return fmt::format("{:.1f}", row.driven[side]); });
+    add([&](std::size_t side) { return std::to_string(row.contacts[side]); });
+    add([&](std::size_t side) { return seconds(row.first_contact[side]); });
+    return out;
   }
 
   void add_commands() {

@@ -29,11 +29,69 @@ std::string subject_of(const Parting& parting) {
   }
 }
 
+bool is_in_both(const RobotRow& row) {
+  return row.is_there[0] && row.is_there[1];
+}
+
+// Robots that both have, of which values were compared or not.
+std::vector<std::uint32_t> compared_robots(const Comparison& comparison, bool has_values) {
+  std::vector<std::uint32_t> out;
+  for (const RobotRow& row : comparison.robots) {
+    if (is_in_both(row) && row.has_values == has_values) out.push_back(row.id);
+  }
+  return out;
+}
+
 }  // namespace
+
+std::string compared_words(const Comparison& comparison) {
+  if (!comparison.is_recomputed)
+    return "Only what was recorded is compared: where robots were once a second, what was told, how it "
+           "ended.";
+  const std::vector<std::uint32_t> unseen = compared_robots(comparison, false);
+  if (unseen.empty()) return "";
+  return fmt::format(
+      "Of {} only what was answered and where they were is compared: what went on inside of their programs "
+      "was not recorded.",
+      compared_robots(comparison, true).empty() ? "all robots" : robots_words(unseen));
+}
+
+std::string same_words(const Comparison& comparison) {
+  if (!comparison.is_recomputed) return "what was recorded is the same: where robots were once a second";
+  const std::vector<std::uint32_t> unseen = compared_robots(comparison, false);
+  const std::vector<std::uint32_t> seen = compared_robots(comparison, true);
+  if (unseen.empty()) return "all values of all robots are the same in all cycles";
+  if (seen.empty()) return "what all robots answered and where they were is the same in all cycles";
+  return fmt::format(
+      "all values of {} are the same in all cycles, and of {} what was answered and where they were",
+      robots_words(seen), robots_words(unseen));
+}
+
+std::vector<std::string> alone_words(const Comparison& comparison) {
+  std::vector<std::string> out;
+  for (const std::size_t side : kSides) {
+    std::vector<std::uint32_t> alone;
+    for (const RobotRow& row : comparison.robots) {
+      if (row.is_there[side] && !row.is_there[1 - side]) alone.push_back(row.id);
+    }
+    if (alone.empty()) continue;
+    out.push_back(fmt::format("{} {} in {} alone", robots_words(alone), alone.size() == 1 ? "is" : "are",
+                              side == 0 ? "A" : "B"));
+  }
+  return out;
+}
+
+std::string where_it_is(const RobotRow& row) {
+  if (is_in_both(row)) return "";
+  return row.is_there[0] ? "only in A" : row.is_there[1] ? "only in B" : "not started";
+}
 
 std::string verdict(const Comparison& comparison) {
   if (!comparison.parting) {
-    const std::string as_far = comparison.is_recomputed ? "" : ", as far as they were recorded";
+    const std::string as_far = !comparison.is_recomputed ? ", as far as they were recorded"
+                               : compared_robots(comparison, false).empty()
+                                   ? ""
+                                   : ", as far as robots' programs can be seen into";
     if (!comparison.is_whole) return "the same as far as they were compared" + as_far;
     if (comparison.is_same()) return "the same run" + as_far;
     return "they never part, though they were not made from the same" + as_far;

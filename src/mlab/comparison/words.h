@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "mlab/comparison/comparison.h"
 
@@ -15,6 +17,14 @@ std::string words_of(const Side& side);
 std::string words_of(const Parting& parting);
 /// `robots 1 to 4, 7`, at most a few of them by name.
 std::string robots_words(const std::vector<std::uint32_t>& robots);
+/// What was compared where it was not everything, as a sentence; empty: it was.
+std::string compared_words(const Comparison& comparison);
+/// Where they part nowhere: what is the same.
+std::string same_words(const Comparison& comparison);
+/// Of which robots only one run has any, as sentences: `robots 5, 7 are in B alone`.
+std::vector<std::string> alone_words(const Comparison& comparison);
+/// `only in A`, `only in B`, `not started`; empty: it is in both.
+std::string where_it_is(const RobotRow& row);
 /// How a command went: `12.3 to 45.6 s, done`; empty: not at all.
 std::string words_of(const std::optional<CommandRow::Times>& times);
 /// `12.3`, empty for nothing [s].
