@@ -5,9 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -46,20 +50,67 @@ std::string pair_text(const mcap::Pairs& values, std::string_view name) {
   return found == values.end() ? "" : found->second;
 }
 
-void take_record(const mcap::Pairs& values, Bookmarks& out) {
+constexpr std::uint64_t kNoCycle = std::numeric_limits<std::uint64_t>::max();
+constexpr double kNoTime = std::numeric_limits<double>::quiet_NaN();
+
+/// What was written, perhaps by a stranger, at moments of the run; which of them were none is told.
+class Taken {
+ public:
+  explicit Taken(const std::optional<RunExtent>& run) : run_(run) {}
+
+  bool put(Bookmark one) {
+    const double time = one.time;
+    const std::uint64_t id = one.id;
+    const bool is_moved = move_into_run(one, run_);
+    const std::string name = one.note.empty() ? fmt::format("bookmark {}", id) : plain_note(one.note, 40);
+    if (!bookmarks_.put(std::move(one))) return false;
+    moved_.erase(id);
+    if (is_moved)
+      moved_[id] =
+          std::isnan(time) ? fmt::format("`{}` (no time)", name) : fmt::format("`{}` ({:g} s)", name, time);
+    return true;
+  }
+  void forget(std::uint64_t id) {
+    bookmarks_.forget(id);
+    moved_.erase(id);
+  }
+  const Bookmarks& bookmarks() const { return bookmarks_; }
+  const std::map<std::uint64_t, std::string>& moved() const { return moved_; }
+
+ private:
+  std::optional<RunExtent> run_;
+  Bookmarks bookmarks_;
+  std::map<std::uint64_t, std::string> moved_;  // by id, in words
+};
+
+std::string moved_words(const std::map<std::uint64_t, std::string>& moved) {
+  constexpr std::size_t kMostNamed = 5;
+  std::string names;
+  std::size_t count = 0;
+  for (const auto& [id, words] : moved) {
+    if (++count <= kMostNamed) names += (names.empty() ? "" : ", ") + words;
+  }
+  if (count == 0) return "";
+  if (count > kMostNamed) names += fmt::format(" and {} more", count - kMostNamed);
+  return fmt::format(
+      "{} at moments that the run doesn't have, and moved to its beginning, its end or their cycle: {}",
+      count == 1 ? "one was written" : fmt::format("{} were written", count), names);
+}
+
+void take_record(const mcap::Pairs& values, Taken& out) {
   const auto id = number_of<std::uint64_t>(values, "id");
   if (!id) return;
   if (values.contains("removed")) {
     out.forget(*id);
     return;
   }
-  const auto cycle = number_of<std::uint64_t>(values, "cycle");
-  const auto time = number_of<double>(values, "time");
-  if (cycle && time) out.put({*id, *cycle, *time, pair_text(values, "note"), pair_text(values, "by")});
+  out.put({*id, number_of<std::uint64_t>(values, "cycle").value_or(kNoCycle),
+           number_of<double>(values, "time").value_or(kNoTime), pair_text(values, "note"),
+           pair_text(values, "by")});
 }
 
-Bookmarks recorded_in(const std::string& recording, std::uint64_t& highest) {
-  Bookmarks out;
+Taken recorded_in(const std::string& recording, const std::optional<RunExtent>& run, std::uint64_t& highest) {
+  Taken out(run);
   const auto reader = mcap::Reader::open(recording);
   if (!reader) return out;
   std::size_t count = 0;
@@ -121,17 +172,50 @@ std::optional<std::uint64_t> whole(const json& from, const char* name) {
   return found->get<std::uint64_t>();
 }
 
+double time_in(const json& from) {
+  const auto found = from.find("time");
+  return found != from.end() && found->is_number() ? found->get<double>() : kNoTime;
+}
+
 std::string text_in(const json& from, const char* name) {
   const auto found = from.find(name);
   return found != from.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
+// Numbers that JSON doesn't have, as NaN and 1e999, as null: no note is lost for one.
+std::string with_numbers_only(std::string_view bytes) {
+  const auto is_of_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
+  };
+  std::string out;
+  for (std::size_t at = 0; at < bytes.size();) {
+    std::size_t end = at + 1;
+    if (bytes[at] == '"') {
+      while (end < bytes.size() && bytes[end] != '"') end += bytes[end] == '\\' ? 2 : 1;
+      end = std::min(end + 1, bytes.size());
+      out += bytes.substr(at, end - at);
+    } else if (is_of_word(bytes[at])) {
+      while (end < bytes.size() && is_of_word(bytes[end])) ++end;
+      const std::string_view word = bytes.substr(at, end - at);
+      double number = 0.0;
+      const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+      const bool is_number =
+          error == std::errc{} && stop == word.data() + word.size() && std::isfinite(number);
+      out += is_number || word == "true" || word == "false" ? word : "null";
+    } else {
+      out += bytes[at];
+    }
+    at = end;
+  }
+  return out;
+}
+
 // @return  false: it is nothing that this program has written
-bool parse_beside(const std::string& bytes, KeptBookmarks& out) {
+bool parse_beside(const std::string& bytes, KeptBookmarks& out, Taken& taken) {
   // Nothing in it is nested deeper than three times; so is what is read, that nobody's nesting fills the
   // stack.
-  const json read =
-      json::parse(bytes, [](int depth, json::parse_event_t, json&) { return depth <= 3; }, false);
+  const json read = json::parse(
+      with_numbers_only(bytes), [](int depth, json::parse_event_t, json&) { return depth <= 3; }, false);
   if (!read.is_object() || whole(read, "format") != kBookmarkFormat) return false;
   const auto list = read.find("bookmarks");
   if (list == read.end() || !list->is_array()) return false;
@@ -139,17 +223,17 @@ bool parse_beside(const std::string& bytes, KeptBookmarks& out) {
   std::size_t left_out = 0;
   for (const json& one : *list) {
     const auto id = one.is_object() ? whole(one, "id") : std::nullopt;
-    const auto cycle = id ? whole(one, "cycle") : std::nullopt;
-    const auto time = cycle ? one.find("time") : one.end();
-    const bool is_one =
-        cycle && time != one.end() && time->is_number() &&
-        out.bookmarks.put({*id, *cycle, time->get<double>(), text_in(one, "note"), text_in(one, "by")});
+    const bool is_one = id && taken.bookmarks().find(*id) == nullptr &&
+                        taken.put({*id, whole(one, "cycle").value_or(kNoCycle), time_in(one),
+                                   text_in(one, "note"), text_in(one, "by")});
     left_out += is_one ? 0 : 1;
   }
+  out.bookmarks = taken.bookmarks();
+  out.moved = moved_words(taken.moved());
   if (left_out > 0)
     out.problem = fmt::format(
-        "{} of its entries are left out: each has `id`, `cycle` and `time`, and a run has at most {} of them",
-        left_out, Bookmarks::kMost);
+        "{} of its entries {} left out: each has an `id` of its own, and a run has at most {} of them",
+        left_out, left_out == 1 ? "is" : "are", Bookmarks::kMost);
   return true;
 }
 
@@ -205,26 +289,31 @@ std::string bookmark_path(const std::string& recording) {
   return recording + ".bookmarks";
 }
 
-KeptBookmarks read_bookmarks(const std::string& recording) {
+KeptBookmarks read_bookmarks(const std::string& recording, const std::optional<RunExtent>& run) {
   std::uint64_t highest = 0;
-  const Bookmarks recorded = recorded_in(recording, highest);
+  const Taken recorded = recorded_in(recording, run, highest);
   KeptBookmarks out;
+  out.run = run;
+  Taken taken(run);
   Beside beside = bytes_of(bookmark_path(recording));
   out.problem = std::move(beside.problem);
-  if (beside.is_there && out.problem.empty() && !parse_beside(beside.bytes, out))
+  if (beside.is_there && out.problem.empty() && !parse_beside(beside.bytes, out, taken))
     out.problem =
         fmt::format(R"(it is no JSON of the form {{"format": {}, "bookmarks": [...]}})", kBookmarkFormat);
   if (beside.is_there && !out.problem.empty() && !out.problem.starts_with('`'))
     out.problem = fmt::format("`{}`: {}", text::shown(bookmark_path(recording), 200), out.problem);
   out.written = std::move(beside.bytes);
   // Others that came into the recording since, as it was still being written then.
-  for (const auto& [id, one] : recorded.all()) {
+  std::map<std::uint64_t, std::string> moved = taken.moved();
+  for (const auto& [id, one] : recorded.bookmarks().all()) {
     if (id <= out.recorded_to) continue;
+    if (const auto found = recorded.moved().find(id); found != recorded.moved().end()) moved.insert(*found);
     if (out.bookmarks.find(id) == nullptr)
       out.bookmarks.put(one);
     else if (!out.bookmarks.add(one))
       out.problem = "there are more bookmarks than a run may have, and the last ones are left out";
   }
+  out.moved = moved_words(moved);
   out.recorded_to = std::max(out.recorded_to, std::min(highest, Bookmarks::kMostNumber));
   return out;
 }
@@ -236,9 +325,11 @@ std::expected<void, std::string> write_bookmarks(const std::string& recording, K
     return std::unexpected(fmt::format(
         "`{}` was written by another program meanwhile: open the recording anew", text::shown(path, 200)));
   KeptBookmarks before;
-  // What would be left out stays, too.
-  const bool is_readable = there.problem.empty() &&
-                           (!there.is_there || (parse_beside(there.bytes, before) && before.problem.empty()));
+  Taken taken(kept.run);
+  // What would be left out or otherwise stays, too.
+  const bool is_readable =
+      there.problem.empty() && (!there.is_there || (parse_beside(there.bytes, before, taken) &&
+                                                    before.problem.empty() && before.moved.empty()));
   if (!is_readable && ::rename(path.c_str(), (path + ".unreadable").c_str()) != 0)
     return std::unexpected(fmt::format("`{}` can't be put aside: {}", text::shown(path, 200), reason()));
   std::string bytes = as_json(kept);

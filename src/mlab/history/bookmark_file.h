@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <expected>
+#include <optional>
 #include <string>
 
 #include "mlab/history/bookmarks.h"
@@ -26,15 +27,19 @@ struct KeptBookmarks {
   std::string written;  ///< what the file beside it holds, as bytes; empty: there is none
   /// What of it can't be read, as a sentence; empty: all can.
   std::string problem;
+  /// Which were written at moments that the run doesn't have, as a sentence; empty: none.
+  std::string moved;
+  std::optional<RunExtent> run;  ///< nothing: nobody knows how far it goes
 };
 
 std::string bookmark_path(const std::string& recording);
 
 /// Whoever wrote them. Where the recording can't be read there are none in it.
-KeptBookmarks read_bookmarks(const std::string& recording);
+/// @param run  how far the run goes: no bookmark is beyond
+KeptBookmarks read_bookmarks(const std::string& recording, const std::optional<RunExtent>& run = {});
 
-/// Replaces the file beside the recording as a whole; after an error it is as it was. One that can't be read
-/// is not lost: it is called `.unreadable` from then on.
+/// Replaces the file beside the recording as a whole; after an error it is as it was. One that can't be read,
+/// or not all of which is as it was read, is not lost: it is called `.unreadable` from then on.
 /// @param kept  its `written` is what stands there, and what was written afterwards
 /// @errors  a sentence; also where somebody else has written it meanwhile
 std::expected<void, std::string> write_bookmarks(const std::string& recording, KeptBookmarks& kept);

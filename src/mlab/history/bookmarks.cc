@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -11,6 +12,8 @@
 
 namespace mlab::history {
 namespace {
+
+constexpr double kSameMoment = 1e-6;  // [s]
 
 // Where the character that begins here ends.
 std::size_t character_end(std::string_view text, std::size_t at) {
@@ -32,6 +35,26 @@ std::string no_such_bookmark(std::uint64_t id) {
 }
 
 }  // namespace
+
+bool move_into_run(Bookmark& one, const std::optional<RunExtent>& run) {
+  const RunExtent most = run.value_or(RunExtent{Bookmarks::kMostNumber, std::numeric_limits<double>::max()});
+  const bool has_time = one.time >= 0.0 && one.time <= most.time + kSameMoment;
+  const bool has_cycle = one.cycle <= most.cycles;
+  if (has_time && has_cycle) return false;
+  // Cycles are equally long.
+  const bool is_known = run && run->cycles > 0 && run->time > 0.0;
+  const double cycle = is_known ? run->time / static_cast<double>(run->cycles) : 0.0;
+  if (has_cycle) {
+    one.time = static_cast<double>(one.cycle) * cycle;
+  } else if (has_time) {
+    one.cycle = is_known ? std::min(run->cycles, static_cast<std::uint64_t>(one.time / cycle + 1e-6)) : 0;
+  } else {
+    const bool is_late = is_known && one.time > 0.0;
+    one.cycle = is_late ? run->cycles : 0;
+    one.time = is_late ? run->time : 0.0;
+  }
+  return true;
+}
 
 std::string plain_note(std::string_view text, std::size_t most) {
   // Four bytes are the longest character: what is behind is cut off anyway.

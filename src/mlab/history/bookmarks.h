@@ -22,6 +22,19 @@ struct Bookmark {
   friend bool operator==(const Bookmark&, const Bookmark&) = default;
 };
 
+/// How far a run goes.
+struct RunExtent {
+  std::uint64_t cycles = 0;
+  double time = 0.0;  ///< [s]
+};
+
+/// The moment of the run that is meant where somebody wrote one that it doesn't have: by the cycle where the
+/// run has that, else by the time, else the beginning or the end.
+/// @param one   a time that is missing is NaN, a cycle that is missing kMostNumber + 1 or more
+/// @param run   nothing: nobody knows how far it goes
+/// @return  false: it was a moment of the run, and is as it was
+bool move_into_run(Bookmark& one, const std::optional<RunExtent>& run);
+
 /// The bookmarks of one run: so many, and their notes so long, whoever wrote them.
 class Bookmarks {
  public:

@@ -70,6 +70,32 @@ TEST(Bookmarks, NotesAreOneLineOfTextAndNoLongerThanTheyMayBe) {
   EXPECT_LE(plain_note(words).size(), Bookmarks::kMostNote);
 }
 
+TEST(Bookmarks, OfAMomentThatTheRunDoesNotHaveAreMovedIntoIt) {
+  constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  struct {
+    double time;
+    std::uint64_t cycle;
+    double moved_time;
+    std::uint64_t moved_cycle;
+  } const kCases[] = {{1e300, kNone, 30.0, 300},  {1e300, 100, 10.0, 100}, {-5.0, kNone, 0.0, 0},
+                      {-5.0, 100, 10.0, 100},     {kNaN, 100, 10.0, 100},  {kNaN, kNone, 0.0, 0},
+                      {12.0, 100'000, 12.0, 120}, {30.5, 305, 30.0, 300}};
+  for (const auto& one : kCases) {
+    Bookmark moved{1, one.cycle, one.time, "note", ""};
+    EXPECT_TRUE(move_into_run(moved, RunExtent{300, 30.0})) << one.time << " " << one.cycle;
+    EXPECT_NEAR(moved.time, one.moved_time, 1e-9) << one.time << " " << one.cycle;
+    EXPECT_EQ(moved.cycle, one.moved_cycle) << one.time << " " << one.cycle;
+    EXPECT_EQ(moved.note, "note");
+  }
+  Bookmark good{1, 300, 30.0, "", ""};
+  EXPECT_FALSE(move_into_run(good, RunExtent{300, 30.0}));
+  EXPECT_FALSE(move_into_run(good, {})) << "nobody knows how far the run goes";
+  Bookmark odd{1, kNone, -1.0, "", ""};
+  EXPECT_TRUE(move_into_run(odd, {}));
+  EXPECT_EQ(odd, (Bookmark{1, 0, 0.0, "", ""}));
+}
+
 TEST(Bookmarks, TooManyAndNoneAreRefused) {
   Bookmarks all;
   EXPECT_FALSE(all.add({0, 1, std::numeric_limits<double>::quiet_NaN(), "", ""}));
@@ -233,16 +259,14 @@ TEST_F(BookmarkFile, AStrangersHoldNoMoreThanTheyMay) {
     out.put_metadata({"missionlab bookmark", {{"id", "99999999999999999999"}, {"removed", ""}}});
   });
   const KeptBookmarks recorded = read_bookmarks(run_);
-  ASSERT_EQ(recorded.bookmarks.all().size(), 1U);
+  ASSERT_EQ(recorded.bookmarks.all().size(), 2U);
   EXPECT_EQ(recorded.bookmarks.find(8)->note, "[2J\xc3\xbf");
+  EXPECT_EQ(recorded.bookmarks.find(7)->time, 0.0);
 
   std::string many =
       R"({"format":1,"recorded_to":9,"bookmarks":[{"id":"x"},[],7,{"id":1,"cycle":1,"time":1e999})";
   for (int i = 1; i <= 700; ++i)
     many += fmt::format(R"(,{{"id":{},"cycle":{},"time":1.5,"note":"{}"}})", i, i, std::string(800, 'n'));
-  write(beside(), many + "]}");
-  EXPECT_NE(read_bookmarks(run_).problem, "") << "1e999 is no number";
-  many.replace(many.find("1e999"), 5, "\"no\"");
   write(beside(), many + "]}");
   const KeptBookmarks kept = read_bookmarks(run_);
   EXPECT_EQ(kept.bookmarks.all().size(), Bookmarks::kMost);
@@ -261,6 +285,45 @@ TEST_F(BookmarkFile, AStrangersHoldNoMoreThanTheyMay) {
   EXPECT_NE(read_bookmarks(run_).problem.find("has more than"), std::string::npos);
   write(beside(), std::string(200'000, '['));
   EXPECT_NE(read_bookmarks(run_).problem, "");
+}
+
+TEST_F(BookmarkFile, NoNoteIsLostForTheTimeBesideIt) {
+  record([](RecordingWriter& out) {
+    out.put_metadata(
+        {"missionlab bookmark", {{"id", "1"}, {"cycle", "-3"}, {"time", "1e300"}, {"note", "a"}}});
+    out.put_metadata({"missionlab bookmark", {{"id", "2"}, {"time", "nan"}, {"note", "b"}}});
+    out.put_metadata(bookmark_record({3, 10, 1.0, "c", ""}));
+  });
+  const RunExtent run{20, 2.0};
+  const KeptBookmarks recorded = read_bookmarks(run_, run);
+  EXPECT_EQ(recorded.problem, "");
+  ASSERT_EQ(recorded.bookmarks.all().size(), 3U);
+  EXPECT_EQ(*recorded.bookmarks.find(1), (Bookmark{1, 20, 2.0, "a", ""}));
+  EXPECT_EQ(*recorded.bookmarks.find(2), (Bookmark{2, 0, 0.0, "b", ""}));
+  EXPECT_EQ(
+      recorded.moved,
+      "2 were written at moments that the run doesn't have, and moved to its beginning, its end or their "
+      "cycle: `a` (1e+300 s), `b` (no time)");
+
+  const std::string written = R"({"format":1,"recorded_to":3,"bookmarks":[
+    {"id":4,"cycle":5,"time":NaN,"note":"NaN, 1e999 and \"-Infinity\" are words here"},
+    {"id":5,"cycle":5,"time":-Infinity,"note":"e"},{"id":6,"cycle":1e400,"time":1e999,"note":"f"},
+    {"id":7,"cycle":5,"time":0.5,"note":"g"},{"id":8,"note":"h"},{"id":9,"cycle":900,"time":90,"note":"i"}]})";
+  write(beside(), written);
+  KeptBookmarks kept = read_bookmarks(run_, run);
+  EXPECT_EQ(kept.problem, "");
+  ASSERT_EQ(kept.bookmarks.all().size(), 6U);
+  EXPECT_EQ(kept.bookmarks.find(4)->note, "NaN, 1e999 and \"-Infinity\" are words here");
+  EXPECT_EQ(kept.bookmarks.find(4)->time, 0.5);
+  EXPECT_EQ(kept.bookmarks.find(6)->note, "f");
+  EXPECT_EQ(kept.bookmarks.find(9)->cycle, 20U);
+  EXPECT_TRUE(kept.moved.starts_with("5 were written at moments")) << kept.moved;
+  // What was written is put aside once another one takes its place.
+  ASSERT_TRUE(kept.bookmarks.add(bookmark(1, "new")));
+  ASSERT_TRUE(write_bookmarks(run_, kept));
+  EXPECT_EQ(bytes_of(beside() + ".unreadable"), written);
+  EXPECT_EQ(read_bookmarks(run_, run).moved, "");
+  EXPECT_EQ(read_bookmarks(run_, run).bookmarks.all().size(), 7U);
 }
 
 TEST_F(BookmarkFile, AnyBytesAreReadToAnEnd) {

@@ -50,9 +50,11 @@ void show_recorded(const history::History& history, std::uint64_t after) {
 }
 
 // Moments that people have marked, in the recording or beside it.
-void show_bookmarks(const std::string& recording) {
-  const history::KeptBookmarks kept = history::read_bookmarks(recording);
+void show_bookmarks(const std::string& recording, const history::History& history) {
+  const history::KeptBookmarks kept =
+      history::read_bookmarks(recording, history::RunExtent{history.last_cycle(), history.last_time()});
   if (!kept.problem.empty()) fmt::print(stderr, "mlab replay: warning: {}\n", kept.problem);
+  if (!kept.moved.empty()) fmt::print(stderr, "mlab replay: warning: of the bookmarks {}\n", kept.moved);
   if (kept.bookmarks.is_empty()) return;
   fmt::print("{}:\n", base::counted(kept.bookmarks.all().size(), "bookmark"));
   for (const history::Bookmark& one : kept.bookmarks.in_order())
@@ -179,7 +181,7 @@ int replay(const ReplayOptions& options) {
   if (!recorded.history) return kBadInput;
   if (!recorded.replay) {
     show_recorded(*recorded.history, 0);
-    show_bookmarks(options.recording);
+    show_bookmarks(options.recording, *recorded.history);
     return kFailed;
   }
   RunScreen screen(options.quiet);
@@ -200,7 +202,7 @@ int replay(const ReplayOptions& options) {
     fmt::print("from there on, as it was recorded:\n");
     show_recorded(*recorded.history, recorded.replay->divergence()->cycle);
   }
-  show_bookmarks(options.recording);
+  show_bookmarks(options.recording, *recorded.history);
   // As it was told then, even where it is computed otherwise now.
   const std::optional<history::EndEntry>& end = recorded.history->end();
   if (recording && !recording->end("mlab replay", end ? end->outcome : outcome)) return kFailed;

@@ -1,7 +1,6 @@
 #include "mlab/console/session/bookmark_orders.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -12,21 +11,22 @@ namespace mlab::console {
 namespace {
 
 constexpr double kTriedAgain = 5.0;  // after an error [s]
+constexpr double kAhead = 1.0;       // so far a browser may see the run ahead of what it was told [s]
 
 }  // namespace
 
 void BookmarkOrders::open_recording() {
   const std::string& path = parts_.settings.recording.path;
   if (path.empty()) return;
-  parts_.kept = history::read_bookmarks(path);
-  if (!parts_.kept.problem.empty())
-    parts_.log.add(0.0, {Log::WARNING,
-                         fmt::format("not all bookmarks can be shown: {}", clean(parts_.kept.problem)),
-                         0,
-                         "",
-                         {},
-                         true});
+  const history::History& history = *parts_.settings.recording.history;
+  parts_.kept = history::read_bookmarks(path, history::RunExtent{history.last_cycle(), history.last_time()});
+  if (!parts_.kept.problem.empty()) warn("not all bookmarks can be shown: " + clean(parts_.kept.problem));
+  if (!parts_.kept.moved.empty()) warn("of the bookmarks " + clean(parts_.kept.moved));
   ++revision_;
+}
+
+void BookmarkOrders::warn(std::string text) {
+  parts_.log.add(0.0, {Log::WARNING, std::move(text), 0, "", {}, true});
 }
 
 void BookmarkOrders::follow_run() {
@@ -43,8 +43,12 @@ void BookmarkOrders::follow_run() {
 void BookmarkOrders::recall(const wire::JournalSession& session) {
   follow_run();
   if (why_not()) return;
-  for (const wire::JournalBookmark& one : session.bookmarks())
-    static_cast<void>(parts_.kept.bookmarks.put({one.id(), one.cycle(), one.time(), one.note(), one.by()}));
+  for (const wire::JournalBookmark& kept : session.bookmarks()) {
+    history::Bookmark one{kept.id(), kept.cycle(), kept.time(), kept.note(), kept.by()};
+    // The run may be on its way still.
+    history::move_into_run(one, {});
+    static_cast<void>(parts_.kept.bookmarks.put(std::move(one)));
+  }
   // The recording may lack the last ones, or be a new one.
   for (const auto& [id, one] : parts_.kept.bookmarks.all()) write(id);
   ++revision_;
@@ -78,14 +82,15 @@ Answered BookmarkOrders::make(const Sender& sender, const SetBookmark& wanted, R
   const double end = recording != nullptr ? recording->last_time() : parts_.run.sim_time();
   const std::uint64_t last =
       recording != nullptr ? recording->last_cycle() : std::as_const(parts_.run).live()->run().cycle();
-  if (!wanted.now() && (!std::isfinite(wanted.time()) || wanted.time() < 0.0))
-    return "a bookmark is at a moment of the run";
+  if (!wanted.now() && !(wanted.time() >= 0.0 && wanted.time() <= end + kAhead))
+    return fmt::format("{:g} s is no moment of the run, which {} {:.1f} s", wanted.time(),
+                       recording != nullptr ? "ends at" : "has come to", end);
   history::Bookmark one;
   one.time = wanted.now() ? end : std::min(wanted.time(), end);
-  one.cycle = wanted.now() ? last : std::min<std::uint64_t>(wanted.cycle(), last);
-  // Of a moment that is still being computed only the time is known; cycles are equally long.
-  if (one.cycle == 0 && one.time > 0.0 && end > 0.0)
-    one.cycle = static_cast<std::uint64_t>(std::floor(one.time / end * static_cast<double>(last) + 1e-6));
+  one.cycle = wanted.now() ? last : wanted.cycle();
+  // Of a moment that is still being computed only the time is known.
+  if (one.cycle == 0 && one.time > 0.0) one.cycle = last + 1;
+  history::move_into_run(one, history::RunExtent{last, end});
   one.note = wanted.note();
   one.by = sender.client.name;
   const auto made = parts_.kept.bookmarks.add(std::move(one));

@@ -47,6 +47,7 @@ class BookmarkOrders {
  private:
   bool is_recording() const { return parts_.settings.recording.history != nullptr; }
   Answered why_not() const;
+  void warn(std::string text);
   Answered make(const Sender& sender, const SetBookmark& wanted, Reply& reply);
   void write(std::uint64_t changed);
   void write_beside(const std::string& recording);

@@ -1,4 +1,7 @@
+#include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -127,16 +130,38 @@ TEST_F(BookmarkOrdersTest, OfARecordingAreBesideIt) {
     ASSERT_TRUE(has(anna, {"seen live"}));
     EXPECT_EQ(Browser::error_of(anna.ask(write_note(1, "seen live, and again"))), "");
     EXPECT_EQ(Browser::error_of(anna.ask(mark(1.0, 10, "later"))), "");
-    EXPECT_EQ(Browser::error_of(anna.ask(mark(1e9, ~std::uint64_t{0}, "beyond the end"))), "");
-    ASSERT_TRUE(has(anna, {"later", "seen live, and again", "beyond the end"}));
+    const double end = anna.time_line().end();
+    EXPECT_EQ(Browser::error_of(anna.ask(mark(end + 0.5, ~std::uint64_t{0}, "at the end"))), "");
+    ASSERT_TRUE(has(anna, {"later", "seen live, and again", "at the end"}));
     EXPECT_EQ(anna.bookmarks().kept_in(), recording() + ".bookmarks");
     EXPECT_EQ(anna.bookmarks().bookmarks(2).cycle(), anna.time_line().last_cycle());
+    EXPECT_LE(anna.bookmarks().bookmarks(2).time(), end + 1e-6);
+    for (const double time :
+         {1e300, end + 2.0, -1.0, std::nan(""), -std::numeric_limits<double>::infinity()}) {
+      const std::string error = Browser::error_of(anna.ask(mark(time, 10, "nowhere")));
+      EXPECT_NE(error.find("is no moment of the run, which ends at"), std::string::npos) << time << error;
+    }
     EXPECT_EQ(anna.control(Control::EXECUTE), "this is a recording: it can't be told anything");
   }
   EXPECT_EQ(fs::file_size(recording()), size) << "its bytes are not touched";
   TestSession session("", 20.0, [&](SessionSettings& s) { open(s); });
   Browser anna(session, "Anna");
-  EXPECT_TRUE(has(anna, {"later", "seen live, and again", "beyond the end"}));
+  EXPECT_TRUE(has(anna, {"later", "seen live, and again", "at the end"}));
+}
+
+TEST_F(BookmarkOrdersTest, AtMomentsThatARecordingDoesNotHaveAreMovedAndSaid) {
+  {
+    TestSession session("", 20.0, [&](SessionSettings& s) { begin(s); });
+    Browser anna(session, "Anna");
+    start(anna);
+  }
+  std::ofstream(history::bookmark_path(recording()))
+      << R"({"format":1,"recorded_to":0,"bookmarks":[{"id":1,"cycle":4e9,"time":1e300,"note":"far"}]})";
+  TestSession session("", 20.0, [&](SessionSettings& s) { open(s); });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(has(anna, {"far"}));
+  EXPECT_LE(anna.bookmarks().bookmarks(0).time(), anna.time_line().end() + 1e-6);
+  EXPECT_TRUE(anna.wait([&] { return anna.has_log("of the bookmarks one was written at moments"); }));
 }
 
 TEST_F(BookmarkOrdersTest, WhereTheyCannotBeKeptItIsSaid) {
