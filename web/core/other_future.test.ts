@@ -1,6 +1,6 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
-import { byDistance, ghostAt, isShown, sampleBefore } from "./other_future.ts";
+import { aloneIn, byDistance, ghostAt, isAlone, isShown, sampleBefore, toldApart } from "./other_future.ts";
 import { OtherFutureSchema } from "./protocol.ts";
 
 const future = create(OtherFutureSchema, {
@@ -27,6 +27,28 @@ test("ghosts go straight from sample to sample, turn the shorter way, and stand 
 test("who is not in the world has no ghost", () => {
   expect(ghostAt(future, future.robots[1]!, 10)).toBeUndefined();
   expect(ghostAt(future, future.robots[1]!, 11)).toMatchObject({ x: 5 });
+});
+
+test("who is in one of both alone is named, and what was told in one alone is by time", () => {
+  const apart = create(OtherFutureSchema, {
+    robots: [
+      { robot: 7, own: { isThere: true }, other: { isThere: false } },
+      { robot: 3, own: { isThere: true } },
+      { robot: 1, own: { isThere: true }, other: { isThere: true } },
+      { robot: 9, own: {}, other: { isThere: true } },
+      { robot: 4 },
+    ],
+    toldOwn: [{ time: 3, text: "b" }],
+    toldOther: [
+      { time: 1, text: "a" },
+      { time: 4, text: "c" },
+    ],
+  });
+  expect(aloneIn(apart, "own")).toEqual([3, 7]);
+  expect(aloneIn(apart, "other")).toEqual([9]);
+  expect(isAlone(apart.robots[2]!)).toBeUndefined();
+  expect(isAlone(apart.robots[4]!)).toBeUndefined();
+  expect(toldApart(apart).map(({ side, entry }) => `${side} ${entry.text}`)).toEqual(["other a", "own b", "other c"]);
 });
 
 test("who parts most comes first, and what is under way is not shown", () => {

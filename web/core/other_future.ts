@@ -1,5 +1,5 @@
 // The other future of a run at any of its moments, and its distance from the run.
-import type { OtherFuture, OtherFuture_Robot } from "./protocol.ts";
+import type { Log_Entry, OtherFuture, OtherFuture_Robot } from "./protocol.ts";
 
 export interface Ghost {
   readonly id: number;
@@ -46,6 +46,31 @@ export function ghostAt(future: OtherFuture, robot: OtherFuture_Robot, time: num
 /** It is shown: computed, and without a problem. */
 export function isShown(future: OtherFuture | null): future is OtherFuture {
   return future !== null && !future.isUnderWay && future.problem === "" && future.times.length > 0;
+}
+
+export type FutureSide = "own" | "other";
+
+/** Where it is, when it is in one of both only. */
+export function isAlone({ own, other }: OtherFuture_Robot): FutureSide | undefined {
+  if ((own?.isThere === true) === (other?.isThere === true)) return undefined;
+  return own?.isThere ? "own" : "other";
+}
+
+/** The robots that only one of both has, by number. */
+export function aloneIn(future: OtherFuture, side: FutureSide): number[] {
+  const alone = future.robots.filter((robot) => isAlone(robot) === side);
+  return alone.map(({ robot }) => robot).sort((a, b) => a - b);
+}
+
+export interface Told {
+  readonly side: FutureSide;
+  readonly entry: Log_Entry;
+}
+
+/** What was told in one of both alone, by time. */
+export function toldApart(future: OtherFuture): Told[] {
+  const of = (side: FutureSide, entries: readonly Log_Entry[]) => entries.map((entry) => ({ side, entry }));
+  return [...of("own", future.toldOwn), ...of("other", future.toldOther)].sort((a, b) => a.entry.time - b.entry.time);
 }
 
 /** The robots whose ways part most come first. */

@@ -1,10 +1,10 @@
-// What is to be otherwise: a parameter, an order, or the text of a configuration, a mission or an overlay.
-import { useEffect, useId } from "react";
-import { Field, Segments, Switch } from "../../ui/controls/controls.tsx";
+// What is to be otherwise: parameters, orders, texts of a configuration, a mission or an overlay.
+import { useEffect, useId, useState } from "react";
+import { Button, Field, IconButton, Segments, Switch } from "../../ui/controls/controls.tsx";
 import { SelectEntry } from "../../ui/controls/select_entry.tsx";
 import { usePart } from "../session/session.ts";
 import { useFuture, useFuturePart } from "./future_panel.tsx";
-import type { ChangeKind } from "./future_store.ts";
+import { type Change, type ChangeKind, fileName, kMostChanges, readLength } from "./future_store.ts";
 
 /** Nothing is chosen yet. */
 const kNone = ["", "–"] as const;
@@ -15,62 +15,110 @@ const kKinds: readonly (readonly [ChangeKind, string])[] = [
   ["parameter", "Parameter"],
   ["order", "Order"],
   ["text", "Design"],
-  ["nothing", "Nothing"],
 ];
 
 export function ChangeForm({ cycle, isComing }: { cycle: number; isComing: boolean }) {
   const store = useFuture();
-  const kind = useFuturePart("kind");
-  const target = useFuturePart("target");
-  const seconds = useFuturePart("seconds");
+  const changes = useFuturePart("changes");
   const withoutPeople = useFuturePart("withoutPeople");
-  const isWanted = !isComing && (kind === "parameter" || kind === "text");
+  usePart("selection");
+  usePart("roster");
+  const wanted = store.wanted().join();
   useEffect(() => {
-    if (!isWanted) return;
+    if (isComing || wanted === "") return;
     const timer = setTimeout(() => void store.readChangeable(cycle), kSettled);
     return () => clearTimeout(timer);
-  }, [store, cycle, target, isWanted]);
+  }, [store, cycle, wanted, isComing]);
   return (
-    <>
-      <Segments
-        label="What is changed"
-        value={kind}
-        choices={kKinds}
-        onChange={(next) => {
-          store.set("kind", next);
-          store.set("problem", "");
-        }}
-      />
-      {kind === "parameter" && <ParameterFields />}
-      {kind === "order" && <OrderField />}
-      {kind === "text" && <TextFields />}
-      {kind === "nothing" && <p className="small muted">It is then the run itself, as far as the run has gone.</p>}
-      <Field
-        label="For how long [s]"
-        value={seconds}
-        placeholder="to the end of the run, at least 60"
-        inputMode="decimal"
-        onChange={(text) => store.set("seconds", text)}
-      />
-      <Switch
-        label="Without what people did afterwards"
-        value={withoutPeople}
-        onChange={(value) => store.set("withoutPeople", value)}
-      />
-    </>
+    <div className="future-halves">
+      <div>
+        {changes.map((change, i) => (
+          <ChangeFields key={change.id} change={change} number={changes.length > 1 ? i + 1 : 0} />
+        ))}
+        {changes.length === 0 && (
+          <p className="small muted">With nothing changed it is the run itself, as far as the run has gone.</p>
+        )}
+        <div className="future-line">
+          <Button icon="plus" tone="quiet" isDisabled={changes.length >= kMostChanges} onPress={() => store.add()}>
+            {changes.length === 0 ? "Change something" : "Change something else, too"}
+          </Button>
+        </div>
+      </div>
+      <div>
+        <LengthField />
+        <Switch
+          label="Without what people did afterwards"
+          value={withoutPeople}
+          onChange={(value) => store.set("withoutPeople", value)}
+        />
+      </div>
+    </div>
   );
 }
 
-function ParameterFields() {
+function LengthField() {
+  const store = useFuture();
+  const length = useFuturePart("length");
+  const [isEntered, setEntered] = useState(false);
+  const read = readLength(length);
+  return (
+    <Field
+      label="For how long"
+      value={length}
+      placeholder="1:30, or 90 s; else to the end of the run, at least 1:00"
+      problem={isEntered && typeof read === "string" ? read : undefined}
+      onChange={(text) => {
+        setEntered(false);
+        store.set("length", text);
+      }}
+      onCommit={() => setEntered(true)}
+    />
+  );
+}
+
+/** @param number from 1; 0: it is the only one */
+function ChangeFields({ change, number }: { change: Change; number: number }) {
+  const store = useFuture();
+  usePart("clients");
+  const { kind } = change;
+  const name = number === 0 ? "What is changed" : `Change ${number}`;
+  const whyNoText = store.whyNoText;
+  return (
+    <section className="future-change" aria-label={name}>
+      <div className="future-line">
+        <Segments
+          label={name}
+          value={kind}
+          choices={kKinds}
+          {...(whyNoText === undefined ? {} : { disabled: ["text"] })}
+          onChange={(next) => store.alter(change.id, { kind: next })}
+        />
+        <IconButton
+          icon="close"
+          label={`Remove ${number === 0 ? "this change" : `change ${number}`}`}
+          onPress={({ target }) => {
+            const panel = target.closest<HTMLElement>(".future");
+            store.remove(change.id);
+            // What was pressed is gone: the keyboard stays in the panel.
+            panel?.focus();
+          }}
+        />
+      </div>
+      {whyNoText !== undefined && <p className="small muted">{whyNoText}</p>}
+      {kind === "parameter" && <ParameterFields change={change} />}
+      {kind === "order" && <OrderField change={change} />}
+      {kind === "text" && <TextFields change={change} />}
+    </section>
+  );
+}
+
+function ParameterFields({ change }: { change: Change }) {
   const store = useFuture();
   const roster = usePart("roster");
-  const changeable = useFuturePart("changeable");
-  const port = useFuturePart("port");
-  const value = useFuturePart("value");
-  useFuturePart("target");
-  usePart("selection");
-  const robots = store.robots();
-  const target = store.get("target") || String(robots[0] ?? "");
+  useFuturePart("changeable");
+  const { id, port, value } = change;
+  const changeable = store.changeableOf(change);
+  const target = change.target || String(store.robotsOf(change)[0] ?? "");
   const parameters = changeable?.parameters ?? [];
   const chosen = parameters.find((one) => one.port?.path === port);
   const unit = chosen?.port?.unit ?? "";
@@ -81,16 +129,20 @@ function ParameterFields() {
   return (
     <>
       <div className="future-pair">
-        <SelectEntry label="Whose" value={target} choices={targets} onChange={(next) => store.set("target", next)} />
+        <SelectEntry
+          label="Whose"
+          value={target}
+          choices={targets}
+          onChange={(next) => store.alter(id, { target: next })}
+        />
         <SelectEntry
           label="Parameter"
           value={port}
           choices={[kNone, ...parameters.map((one) => [one.port!.path, one.port!.path] as const)]}
           isDisabled={parameters.length === 0}
-          onChange={(next) => {
-            store.set("port", next);
-            store.set("value", parameters.find((one) => one.port?.path === next)?.value ?? "");
-          }}
+          onChange={(next) =>
+            store.alter(id, { port: next, value: parameters.find((one) => one.port?.path === next)?.value ?? "" })
+          }
         />
       </div>
       {changeable?.whyNoParameters && <p className="small muted">{changeable.whyNoParameters}</p>}
@@ -99,44 +151,41 @@ function ParameterFields() {
         value={value}
         help={chosen ? `At that moment ${chosen.value}${unit === "" ? "" : ` ${unit}`}` : ""}
         isDisabled={!chosen}
-        onChange={(text) => store.set("value", text)}
+        onChange={(text) => store.alter(id, { value: text })}
       />
     </>
   );
 }
 
-function OrderField() {
+function OrderField({ change }: { change: Change }) {
   const store = useFuture();
-  const order = useFuturePart("order");
   const unit = usePart("roster").units[0]?.name ?? "scouts";
   return (
     <Field
       label="Order, as it is typed"
-      value={order}
+      value={change.order}
       placeholder={`UNIT ${unit} STOP`}
-      onChange={(text) => store.set("order", text)}
+      onChange={(text) => store.alter(change.id, { order: text })}
     />
   );
 }
 
-function TextFields() {
+function TextFields({ change }: { change: Change }) {
   const store = useFuture();
-  const changeable = useFuturePart("changeable");
-  const path = useFuturePart("path");
-  const text = useFuturePart("text");
+  useFuturePart("changeable");
+  const { path, text } = change;
   const id = useId();
-  const texts = changeable?.texts ?? [];
+  const texts = store.texts();
   return (
     <>
       <SelectEntry
         label="Text of the configuration, mission or overlay"
         value={path}
-        choices={[kNone, ...texts.map((one) => [one.path, one.path.split("/").at(-1) ?? one.path] as const)]}
+        choices={[kNone, ...texts.map((one) => [one.path, fileName(one.path)] as const)]}
         isDisabled={texts.length === 0}
-        onChange={(next) => {
-          store.set("path", next);
-          store.set("text", texts.find((one) => one.path === next)?.text ?? "");
-        }}
+        onChange={(next) =>
+          store.alter(change.id, { path: next, text: texts.find((one) => one.path === next)?.text ?? "" })
+        }
       />
       <div className="field">
         <label htmlFor={id}>As it is to be</label>
@@ -147,7 +196,7 @@ function TextFields() {
           spellCheck={false}
           value={text}
           disabled={path === ""}
-          onChange={(event) => store.set("text", event.target.value)}
+          onChange={(event) => store.alter(change.id, { text: event.target.value })}
         />
       </div>
     </>

@@ -5,11 +5,13 @@ import { isShown } from "../../core/other_future.ts";
 import type { OtherFuture } from "../../core/protocol.ts";
 import { momentText } from "../../core/run_time.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
+import { list, readableMessage } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { usePart, useSession, useStored, useUi } from "../session/session.ts";
 import { ChangeForm } from "./change_form.tsx";
 import { FutureResult } from "./future_result.tsx";
 import { type FutureParts, type FutureStore, futureOf } from "./future_store.ts";
+import { ToldApart } from "./told_apart.tsx";
 import { useTravel, useWhereabouts } from "./use_travel.ts";
 import "./futures.css";
 
@@ -101,20 +103,27 @@ function Ask() {
   const future = usePart("otherFuture");
   const isAsking = useFuturePart("isAsking");
   const problem = useFuturePart("problem");
+  useFuturePart("changes");
+  usePart("clients");
+  const whyNot = store.whyNot;
   return (
     <>
       <p className="small muted">
-        From {momentText(at.time)} on the run is computed once more, with one thing changed. The run itself stays as it
+        From {momentText(at.time)} on the run is computed once more, with something changed. The run itself stays as it
         is.
       </p>
       <ChangeForm cycle={at.cycle} isComing={at.isComing} />
-      {problem !== "" && (
+      {(whyNot ?? problem) !== "" && (
         <p className="time-find-problem small" role="alert">
-          {problem}
+          {whyNot ?? problem}
         </p>
       )}
       <div className="future-line">
-        <Button tone="primary" isDisabled={isAsking || at.isComing} onPress={() => void store.compute(at.cycle)}>
+        <Button
+          tone="primary"
+          isDisabled={isAsking || at.isComing || whyNot !== undefined}
+          onPress={() => void store.compute(at.cycle)}
+        >
           {isAsking ? "Asked…" : "Compute"}
         </Button>
         {future && <Button onPress={() => store.set("isAgain", false)}>Back</Button>}
@@ -131,7 +140,7 @@ function Future({ future }: { future: OtherFuture }) {
     <>
       {future.changes.length > 0 && (
         <p className="future-changes">
-          From {momentText(future.from)} with {future.changes.join(", ")}
+          From {momentText(future.from)} with {list(future.changes.map(readableMessage))}
         </p>
       )}
       {future.changes.length === 0 && !own && <p>From {momentText(future.from)} with nothing changed</p>}
@@ -143,6 +152,7 @@ function Future({ future }: { future: OtherFuture }) {
         </p>
       )}
       {isShown(future) && <FutureResult future={future} />}
+      {future.problem !== "" && <ToldApart future={future} />}
       {problem !== "" && (
         <p className="time-find-problem small" role="alert">
           {problem}

@@ -97,10 +97,13 @@ interface SegmentsProps<Value extends string> {
   choices: readonly (readonly [Value, string])[];
   onChange: (value: Value) => void;
   isDisabled?: boolean;
+  /** Those that can't be chosen now; who disables some says beside them why. */
+  disabled?: readonly Value[];
 }
 
 /** One of a few, all of them in sight. */
-export function Segments<Value extends string>({ label, value, choices, onChange, isDisabled }: SegmentsProps<Value>) {
+export function Segments<Value extends string>(props: SegmentsProps<Value>) {
+  const { label, value, choices, onChange, isDisabled, disabled = [] } = props;
   return (
     <ToggleButtonGroup
       className="segments"
@@ -115,7 +118,7 @@ export function Segments<Value extends string>({ label, value, choices, onChange
       }}
     >
       {choices.map(([id, text]) => (
-        <ToggleButton key={id} id={id} className="button">
+        <ToggleButton key={id} id={id} className="button" isDisabled={disabled.includes(id)}>
           {text}
         </ToggleButton>
       ))}
