@@ -250,7 +250,8 @@ TEST_F(RobotProgramsTest, TakeParametersWhileTheyRun) {
     ways(*run, 50);
     EXPECT_EQ(run->set_parameter({2}, "pace", "0.5"), std::nullopt);
     EXPECT_EQ(run->set_parameter({2}, "obstacles.range", "3"), std::nullopt);
-    EXPECT_EQ(run->set_parameter({2}, "pace", "fast"), "`fast` is no number: `pace` takes a number");
+    EXPECT_EQ(run->set_parameter({2}, "pace", "fast"),
+              "`fast` is no number: `pace` takes a number, 0 .. 10 [m/s]");
     EXPECT_TRUE(run->set_parameter({2}, "peace", "1"));
     std::vector<geom::Pose>& poses = all.emplace_back();
     for (int i = 0; i < 100; ++i) {

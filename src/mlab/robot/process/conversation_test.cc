@@ -118,7 +118,7 @@ TEST(Conversation, SetsAParameterOfOneRobotAndReadsItsPorts) {
   EXPECT_EQ(pace_of(1), 1.0);
   EXPECT_EQ(pace_of(2), 3.0);
   set.mutable_set()->mutable_setting()->set_value("far");
-  EXPECT_EQ(ask(conversation, set).ready().problem(), "`far` is no number: `pace` takes a number");
+  EXPECT_EQ(ask(conversation, set).ready().problem(), "`far` is no number: `pace` takes a number, 0 .. 10");
 }
 
 TEST(Conversation, ARobotThatIsStartedAgainBeginsAnew) {
@@ -154,7 +154,7 @@ TEST(Conversation, AnswersWhatItCannotServeAndChangesNothing) {
   message.mutable_read_ports()->add_ports(1000);
   EXPECT_TRUE(ask(conversation, message).problem().text().starts_with("there is no port 1000"));
   EXPECT_EQ(ask(conversation, start(1, 1, "fast")).ready().problem(),
-            "`fast` is no number: `pace` takes a number");
+            "`fast` is no number: `pace` takes a number, 0 .. 10");
 }
 
 TEST(Conversation, NamesThePortWhereANumberWentWrong) {
