@@ -12,7 +12,16 @@ import { ConfirmDialog } from "./mission/confirm.tsx";
 import { Questions } from "./questions/questions.tsx";
 import { useWatching } from "./selection/use_watched.ts";
 import { kNarrow } from "./session/layout.ts";
-import { type Session, SessionContext, useIsElsewhen, usePart, useSession, useUi } from "./session/session.ts";
+import {
+  type Session,
+  SessionContext,
+  useIsElsewhen,
+  useIsRecording,
+  usePart,
+  useReading,
+  useSession,
+  useUi,
+} from "./session/session.ts";
 import { Banners } from "./shell/banners.tsx";
 import { Dock, Rail } from "./shell/dock.tsx";
 import { MapPane, ToolOptions } from "./shell/map_pane.tsx";
@@ -42,22 +51,14 @@ export function App({ session }: { session: Session }) {
 }
 
 function Page() {
-  const session = useSession();
-  usePageTheme();
-  useShortcuts(session);
-  useRevealing();
-  useRevealTeleoperation(panels);
-  useTitle();
-  useWatching();
-  useFollowStop();
-  useCalls();
   const link = usePart("link");
   const isKnown = usePart("welcome") !== null;
-  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const isRecording = useIsRecording();
   const isElsewhen = useIsElsewhen() && !isRecording;
   const moment = isElsewhen ? "elsewhen" : isRecording ? "" : "at-now";
   return (
     <div className={`app ${isKnown && isStale(link) ? "stale" : ""} ${moment}`}>
+      <Attendance />
       <TopBar />
       <Work />
       <Silence link={link} />
@@ -66,12 +67,25 @@ function Page() {
   );
 }
 
+/** What goes on beside all that is shown. Apart, so that what it hears draws nothing else anew. */
+function Attendance() {
+  usePageTheme();
+  useShortcuts(useSession());
+  useRevealing();
+  useRevealTeleoperation(panels);
+  useTitle();
+  useWatching();
+  useFollowStop();
+  useCalls();
+  return null;
+}
+
 function Work() {
   const project = usePart("project");
   const welcome = usePart("welcome");
   const isNarrow = useUi("room").width < kNarrow;
   // What a recording was made from is in it, and no file of the project.
-  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const isRecording = useIsRecording();
   const hasMap = welcome !== null && project !== null && (project.mission !== "" || isRecording);
   if (!hasMap) {
     return (
@@ -155,7 +169,7 @@ function usePageTheme(): void {
 
 function useTitle(): void {
   const plan = usePart("plan")?.name;
-  const recording = usePart("timeLine")?.recording;
+  const recording = useReading(["timeLine"], (model) => model.get("timeLine")?.recording);
   const name = recording ? `Recording ‘${recording}’` : plan;
   const isDirty = usePart("edits")?.isDirty ?? false;
   useEffect(() => {

@@ -2,6 +2,7 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { Connection, tabKey } from "../core/connection.ts";
 import { Model } from "../core/model.ts";
+import { pageOf } from "../core/pace.ts";
 import { App } from "./app.tsx";
 import { Ui } from "./session/ui.ts";
 
@@ -15,9 +16,10 @@ const connection = new Connection(model, {
   clientKey: tabKey(window.sessionStorage),
 });
 connection.connect();
+const session = { model, connection, ui, pace: pageOf(document) };
 
 createRoot(document.getElementById("root")!).render(
   <StrictMode>
-    <App session={{ model, connection, ui }} />
+    <App session={session} />
   </StrictMode>,
 );

@@ -7,7 +7,7 @@ import { Icon, type IconName } from "../../ui/controls/icons.tsx";
 import { MenuButton, type MenuEntry } from "../../ui/controls/menus.tsx";
 import { distance, duration, readableMessage } from "../../ui/words/format.ts";
 import { askFirst, control } from "../session/orders.ts";
-import { useMayOrder, usePart, useSession } from "../session/session.ts";
+import { isAlike, useMayOrder, useMode, usePart, useReading, useSession } from "../session/session.ts";
 import { skipWords, stepWords } from "./main_button.ts";
 import { StartButton } from "./run_button.tsx";
 import { situationOf } from "./situation.ts";
@@ -37,11 +37,10 @@ export function MissionPanel() {
 
 function MainControls() {
   const session = useSession();
-  const { model } = session;
-  usePart("status");
   const mayOrder = useMayOrder();
-  const status = model.get("status");
-  const mode = status?.mode ?? Status_Mode.NO_MISSION;
+  const mode = useMode();
+  const step = useReading(["status"], (model) => stepWords(model.get("status")));
+  const skip = useReading(["status"], (model) => skipWords(model.get("status")));
   const isBlocked = !mayOrder || mode === Status_Mode.NO_MISSION;
   const stands = isBlocked || mode === Status_Mode.STOPPED;
   const run = (action: Control_Action) => () => control(session, action);
@@ -52,7 +51,7 @@ function MainControls() {
         <TransportButton
           icon="step"
           label="Step"
-          hint={stepWords(status)}
+          hint={step}
           shortcut="n"
           isDisabled={stands}
           onPress={run(Control_Action.SINGLE_STEP)}
@@ -60,7 +59,7 @@ function MainControls() {
         <TransportButton
           icon="skip"
           label="Skip"
-          hint={skipWords(status)}
+          hint={skip}
           shortcut="shift+n"
           isDisabled={stands}
           onPress={run(Control_Action.SKIP_STEP)}
@@ -119,15 +118,14 @@ function TransportButton({ icon, label, hint, shortcut, isDisabled, onPress }: T
   );
 }
 
+const kNothing: readonly string[] = [];
+
 function RunningNow() {
-  const status = usePart("status");
-  const waits = status?.waitsFor ?? [];
+  const waits = useReading(["status"], (model) => model.get("status")?.waitsFor ?? kNothing, isAlike);
+  const mode = useMode();
   if (waits.length === 0) return null;
   return (
-    <section
-      className={`waits ${status?.mode === Status_Mode.WAITING ? "hold" : ""}`}
-      aria-label="What the mission waits for"
-    >
+    <section className={`waits ${mode === Status_Mode.WAITING ? "hold" : ""}`} aria-label="What the mission waits for">
       <h3>Waits for</h3>
       <ul>
         {waits.map((text) => (

@@ -4,7 +4,7 @@ import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { control } from "../session/orders.ts";
-import { useMayOrder, usePart, useSession } from "../session/session.ts";
+import { isAlike, useIsRecording, useMayOrder, useMode, useReading, useSession } from "../session/session.ts";
 import { type MainButton, mainButton, stepWords } from "./main_button.ts";
 import { pressMainButton } from "./press.ts";
 import { situationOf } from "./situation.ts";
@@ -33,13 +33,13 @@ export function RunButton() {
 /** Step, beside it. */
 export function StepButton() {
   const session = useSession();
-  const status = usePart("status");
+  const words = useReading(["status"], (model) => stepWords(model.get("status")));
+  const mode = useMode();
   const mayOrder = useMayOrder();
-  const mode = status?.mode ?? Status_Mode.NO_MISSION;
   return (
     <IconButton
       icon="step"
-      label={`Step: ${stepWords(status)}`}
+      label={`Step: ${words}`}
       shortcut={shownShortcut("n")}
       isDisabled={!mayOrder || mode === Status_Mode.NO_MISSION || mode === Status_Mode.STOPPED}
       onPress={() => control(session, Control_Action.SINGLE_STEP)}
@@ -51,8 +51,9 @@ export function StepButton() {
 export function StartButton() {
   const session = useSession();
   const button = useMainButton();
-  const mode = session.model.get("status")?.mode ?? Status_Mode.NO_MISSION;
-  if (session.model.isRecording() || (mode !== Status_Mode.READY && mode !== Status_Mode.NO_MISSION)) return null;
+  const mode = useMode();
+  const isRecording = useIsRecording();
+  if (isRecording || (mode !== Status_Mode.READY && mode !== Status_Mode.NO_MISSION)) return null;
   return (
     <>
       <Button
@@ -72,18 +73,17 @@ export function StartButton() {
 }
 
 function useMainButton(): MainButton {
-  const { model } = useSession();
-  for (const part of [
-    "status",
-    "clients",
-    "welcome",
-    "link",
-    "questions",
-    "documents",
-    "plan",
-    "moment",
-    "timeLine",
-  ] as const)
-    usePart(part);
-  return mainButton(situationOf(model));
+  return useReading(kOfMainButton, (model) => mainButton(situationOf(model)), isAlike);
 }
+
+const kOfMainButton = [
+  "status",
+  "clients",
+  "welcome",
+  "link",
+  "questions",
+  "documents",
+  "plan",
+  "moment",
+  "timeLine",
+] as const;

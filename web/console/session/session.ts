@@ -1,7 +1,9 @@
 // The session that all panels show, and how they subscribe to it.
-import { createContext, useCallback, useContext, useMemo, useSyncExternalStore } from "react";
+import { createContext, useCallback, useContext, useMemo, useRef, useSyncExternalStore } from "react";
 import type { Connection } from "../../core/connection.ts";
 import type { Model, Parts } from "../../core/model.ts";
+import type { Pace } from "../../core/pace.ts";
+import { Status_Mode } from "../../core/protocol.ts";
 import type { Store } from "../../core/store.ts";
 import { elsewhen } from "./elsewhen.ts";
 import { fittedLayout, type Layout } from "./layout.ts";
@@ -13,6 +15,8 @@ export interface Session {
   readonly connection: Connection;
   /** What only this browser knows: layout, tool, theme, open dialogs. */
   readonly ui: Ui;
+  /** When panels hear of what the server tells; without it at once. */
+  readonly pace?: Pace;
 }
 
 export const SessionContext = createContext<Session | null>(null);
@@ -25,7 +29,67 @@ export function useSession(): Session {
 
 /** A part of the model; the component is drawn anew when it changes, and for nothing else. */
 export function usePart<Name extends keyof Parts>(name: Name): Parts[Name] {
-  return useStored<Parts, Name>(useSession().model, name);
+  const { model, pace } = useSession();
+  return useStored<Parts, Name>(model, name, kOwn.has(name) ? undefined : pace);
+}
+
+/** What this browser itself changes: fields show at once what is typed into them. */
+const kOwn: ReadonlySet<keyof Parts> = new Set(["selection", "map"]);
+
+/**
+ * What `read` finds in some parts of the model; the component is drawn anew when it finds something else. For who shows
+ * little of a part that changes often: `status` does with each moment that is shown.
+ */
+export function useReading<Value>(
+  names: readonly (keyof Parts)[],
+  read: (model: Model) => Value,
+  isSame: (a: Value, b: Value) => boolean = Object.is,
+): Value {
+  const { model, pace } = useSession();
+  const key = names.join();
+  const subscribe = useCallback(
+    (listener: () => void) => {
+      const ends = (key.split(",") as (keyof Parts)[]).map((name) => listen(model, name, listener, pace));
+      return () => {
+        for (const end of ends) end();
+      };
+    },
+    [model, pace, key],
+  );
+  return useSyncExternalStore(
+    subscribe,
+    useSteady(() => read(model), isSame),
+  );
+}
+
+/** The same as before where what it finds is alike. */
+export function useSteady<Value>(find: () => Value, isSame: (a: Value, b: Value) => boolean): () => Value {
+  const last = useRef<{ value: Value } | null>(null);
+  return () => {
+    const value = find();
+    if (!last.current || !isSame(last.current.value, value)) last.current = { value };
+    return last.current.value;
+  };
+}
+
+/** Whether two plain values, without big numbers, read alike. */
+export function isAlike(a: unknown, b: unknown): boolean {
+  return a === b || JSON.stringify(a) === JSON.stringify(b);
+}
+
+/** As Store.subscribe, at a pace. */
+export function listen<Stored extends object>(
+  store: Store<Stored>,
+  name: keyof Stored,
+  listener: () => void,
+  pace: Pace | undefined,
+): () => void {
+  if (!pace) return store.subscribe(name, listener);
+  const end = store.subscribe(name, () => pace.soon(listener));
+  return () => {
+    end();
+    pace.forget(listener);
+  };
 }
 
 /** A part of what only this browser knows. */
@@ -37,8 +101,9 @@ export function useUi<Name extends keyof UiParts>(name: Name): UiParts[Name] {
 export function useStored<Stored extends object, Name extends keyof Stored>(
   store: Store<Stored>,
   name: Name,
+  pace?: Pace,
 ): Stored[Name] {
-  const subscribe = useCallback((listener: () => void) => store.subscribe(name, listener), [store, name]);
+  const subscribe = useCallback((listener: () => void) => listen(store, name, listener, pace), [store, name, pace]);
   return useSyncExternalStore(subscribe, () => store.get(name));
 }
 
@@ -69,17 +134,17 @@ export function useMayOrder(): boolean {
 
 /** Whether another moment than now is shown. */
 export function useIsElsewhen(): boolean {
-  const { model } = useSession();
-  const subscribe = useCallback(
-    (listener: () => void) => {
-      const ends = [model.subscribe("moment", listener), model.subscribe("timeLine", listener)];
-      return () => {
-        for (const end of ends) end();
-      };
-    },
-    [model],
-  );
-  return useSyncExternalStore(subscribe, () => model.isElsewhen());
+  return useReading(["moment", "timeLine"], (model) => model.isElsewhen());
+}
+
+/** How the mission stands. */
+export function useMode(): Status_Mode {
+  return useReading(["status"], (model) => model.get("status")?.mode ?? Status_Mode.NO_MISSION);
+}
+
+/** Whether a recording was opened. */
+export function useIsRecording(): boolean {
+  return useReading(["timeLine"], (model) => model.isRecording());
 }
 
 /** Why nothing can be ordered, as a sentence; nothing: it can. `what`: as in `answer`. */

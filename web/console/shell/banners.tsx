@@ -9,7 +9,17 @@ import { count, readableMessage } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { showErrors } from "../mission/press.ts";
 import { control, passOperator, save, takeOperator } from "../session/orders.ts";
-import { useIsElsewhen, useIsOperator, useMayOrder, usePart, useSession, useUi } from "../session/session.ts";
+import {
+  isAlike,
+  useIsElsewhen,
+  useIsOperator,
+  useIsRecording,
+  useMayOrder,
+  usePart,
+  useReading,
+  useSession,
+  useUi,
+} from "../session/session.ts";
 import { ElsewhenBanner, OnlyRecordedBanner } from "../time/elsewhen_banner.tsx";
 import { ChangedFiles } from "./changed_files.tsx";
 import type { StopState } from "./stop_state.ts";
@@ -98,9 +108,11 @@ function LinkBanner() {
   );
 }
 
+const kNoMachines: readonly Status_SilentMachine[] = [];
+
 /** Machines that carry robots and can't be heard. */
 function MachinesBanner() {
-  const machines = usePart("status")?.silentMachines ?? [];
+  const machines = useReading(["status"], (model) => model.get("status")?.silentMachines ?? kNoMachines, isAlike);
   if (machines.length === 0) return null;
   return (
     <Banner tone="hold" role="status">
@@ -140,7 +152,7 @@ function WatchingBanner() {
   const welcome = usePart("welcome");
   const isOperator = useIsOperator();
   const link = usePart("link");
-  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const isRecording = useIsRecording();
   if (!clients || !welcome || isOperator || isRecording || link.state !== "open") return null;
   const holder = clients.clients.find((client) => client.id === clients.operator);
   const hasAsked = clients.asks === welcome.client;

@@ -1,3 +1,4 @@
+import type { Model } from "../../core/model.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
@@ -10,7 +11,7 @@ import { SpeedControl } from "../mission/speed_control.tsx";
 import { stateOf } from "../mission/state.ts";
 import { nameOf, nextRedo, nextUndo } from "../session/history.ts";
 import { emergencyStop, redo, save, undo } from "../session/orders.ts";
-import { useIsElsewhen, usePart, useSession, useUi } from "../session/session.ts";
+import { isAlike, useIsElsewhen, useIsRecording, usePart, useReading, useSession, useUi } from "../session/session.ts";
 import { missionEdits } from "../session/ui.ts";
 import { FileMenu } from "../start/file_menu.tsx";
 import { stopWords } from "./stop_state.ts";
@@ -20,7 +21,7 @@ import { useStopState } from "./use_stop.ts";
 export function TopBar() {
   const session = useSession();
   // In one nothing goes on that could be stopped.
-  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const isRecording = useIsRecording();
   return (
     <header className="topbar">
       <div className="topbar-first">
@@ -57,7 +58,7 @@ function Title() {
   const plan = usePart("plan");
   const project = usePart("project");
   const edits = usePart("edits");
-  const line = usePart("timeLine");
+  const line = useReading(["timeLine"], recordingOf, isAlike);
   const mission = plan?.name || project?.mission || "missionlab";
   const name = line?.recording ? `Recording ‘${line.recording}’` : mission;
   return (
@@ -75,6 +76,11 @@ function Title() {
       )}
     </>
   );
+}
+
+function recordingOf(model: Model): { recording: string; outcome: string } | null {
+  const line = model.get("timeLine");
+  return line && { recording: line.recording, outcome: line.outcome };
 }
 
 function UndoButtons() {
@@ -105,14 +111,15 @@ function UndoButtons() {
 }
 
 function RunState() {
-  const { model } = useSession();
-  const status = usePart("status");
   const link = usePart("link");
-  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const isRecording = useIsRecording();
   const isElsewhen = useIsElsewhen();
-  usePart("documents");
   const reach = link.state !== "open" ? "closed" : link.silentSince !== 0 ? "silent" : "open";
-  const { word, tone } = stateOf(status ?? undefined, reach, situationOf(model).errors);
+  const { word, tone } = useReading(
+    ["status", "documents"],
+    (model) => stateOf(model.get("status") ?? undefined, reach, situationOf(model).errors),
+    isAlike,
+  );
   return (
     <span className={`pill ${tone}`} role="status" data-testid="run-state">
       <span className="dot" />
@@ -126,28 +133,48 @@ function endOf(outcome: string): string {
   return outcome === "cut off" ? "Cut off" : `Ended: ${outcome}`;
 }
 
+function useMissionClock(): { date: string; hours: string } {
+  const clock = useReading(["status"], (model) => model.get("status")?.missionClock ?? "");
+  const [date = "", hours = ""] = clock.split("T");
+  return { date, hours: hours.slice(0, 8) };
+}
+
 function Clocks() {
-  const time = usePart("time");
-  const status = usePart("status");
-  const isElsewhen = useIsElsewhen();
-  const clock = status?.missionClock ?? "";
-  const [date, hours] = clock.split("T");
   return (
     <span className="clocks number">
-      <Hint text={`Time since the run began${hours ? `; the mission's clock shows ${hours.slice(0, 8)}` : ""}`}>
+      <Hint text={<ClockWords />}>
         <Button tone="quiet" className="runtime" data-testid="run-time">
           <span className="hidden-text">Run time </span>
-          {duration(isElsewhen ? time : Math.max(time, status?.time ?? 0), true)}
+          <RunTime />
         </Button>
       </Hint>
-      {hours && (
-        <span className="mission-clock muted small" title={`Mission clock: ${date} ${hours}`}>
-          <span className="hidden-text">Mission clock </span>
-          {hours.slice(0, 8)}
-        </span>
-      )}
+      <MissionClock />
     </span>
   );
+}
+
+function ClockWords() {
+  const { hours } = useMissionClock();
+  return `Time since the run began${hours ? `; the mission's clock shows ${hours}` : ""}`;
+}
+
+function MissionClock() {
+  const { date, hours } = useMissionClock();
+  if (!hours) return null;
+  return (
+    <span className="mission-clock muted small" title={`Mission clock: ${date} ${hours}`}>
+      <span className="hidden-text">Mission clock </span>
+      {hours}
+    </span>
+  );
+}
+
+/** Changes many times a second, which the button round it need not know. */
+function RunTime() {
+  const time = usePart("time");
+  const told = useReading(["status"], (model) => model.get("status")?.time ?? 0);
+  const isElsewhen = useIsElsewhen();
+  return duration(isElsewhen ? time : Math.max(time, told), true);
 }
 
 export function StopButton() {

@@ -1,13 +1,13 @@
 import { useEffect } from "react";
 import { isStale } from "../../ui/controls/silence.tsx";
 import { emergencyStop } from "../session/orders.ts";
-import { usePart, useSession, useUi } from "../session/session.ts";
+import { isAlike, usePart, useReading, useSession, useUi } from "../session/session.ts";
 import { type StopState, stopState } from "./stop_state.ts";
 
 export function useStopState(): StopState {
-  const status = usePart("status");
-  const link = usePart("link");
-  return stopState(status, useUi("stopSent"), isStale(link));
+  const isSilent = isStale(usePart("link"));
+  const isSent = useUi("stopSent");
+  return useReading(["status"], (model) => stopState(model.get("status"), isSent, isSilent), isAlike);
 }
 
 /** Forgets that a stop was sent once it is confirmed, and sends it again where the connection was lost before that. */

@@ -1,13 +1,14 @@
 import { useEffect, useRef } from "react";
 import { isShown, showPanel } from "../session/layout.ts";
 import type { Panel } from "../session/registry.ts";
-import { useIsElsewhen, usePart, useSession } from "../session/session.ts";
+import { useIsElsewhen, useReading, useSession } from "../session/session.ts";
 
 /** Opens the sticks when one more unit comes under teleoperation, whoever began it. */
 export function useRevealTeleoperation(panels: readonly Panel[]): void {
   const { ui } = useSession();
-  const status = usePart("status");
-  const units = (status?.teleoperations ?? []).map((each) => each.unit).join("\n");
+  const units = useReading(["status"], (model) =>
+    (model.get("status")?.teleoperations ?? []).map((each) => each.unit).join("\n"),
+  );
   const before = useRef("");
   // Who looks at another moment takes nothing up there.
   const isElsewhen = useIsElsewhen();
@@ -24,5 +25,5 @@ export function useRevealTeleoperation(panels: readonly Panel[]): void {
 
 /** How many units are steered, on the panel's button. */
 export function useSteeredUnits(): number {
-  return usePart("status")?.teleoperations.length ?? 0;
+  return useReading(["status"], (model) => model.get("status")?.teleoperations.length ?? 0);
 }

@@ -6,19 +6,19 @@ import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { readableMessage } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
-import { useIsElsewhen, usePart } from "../session/session.ts";
+import { useIsElsewhen, useIsRecording, useReading } from "../session/session.ts";
 import { useTravel, useWhereabouts } from "./use_travel.ts";
 
 /** Not in a recording: it has no now. */
 export function ElsewhenBanner() {
   const isElsewhen = useIsElsewhen();
-  const isRecording = (usePart("timeLine")?.recording ?? "") !== "";
+  const isRecording = useIsRecording();
   return isElsewhen && !isRecording ? <Told /> : null;
 }
 
 /** What can't be shown of a recording that isn't computed again, and why. */
 export function OnlyRecordedBanner() {
-  const why = usePart("timeLine")?.onlyRecorded ?? "";
+  const why = useReading(["timeLine"], (model) => model.get("timeLine")?.onlyRecorded ?? "");
   const [isRead, setRead] = useState(false);
   if (why === "" || isRead) return null;
   return (

@@ -8,7 +8,7 @@ import { shownEvents } from "../../ui/time/events.ts";
 import { FindPanel } from "../../ui/time/find_panel.tsx";
 import { type TimeAct, TimeBar } from "../../ui/time/time_bar.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
-import { usePart, useSession } from "../session/session.ts";
+import { usePart, useReading, useSession } from "../session/session.ts";
 import { FuturePanel, useGhosts, WhatIfButton } from "./future_panel.tsx";
 import { kTimeKeys } from "./time_actions.ts";
 import { useBookmarkPart, useBookmarks, useFinding, useTravel, useTravelPart, useWhereabouts } from "./use_travel.ts";
@@ -18,13 +18,18 @@ const kKeys = Object.fromEntries(Object.entries(kTimeKeys).map(([act, key]) => [
   string
 >;
 
+// The same each time, so that they are not drawn anew with each moment.
+const kTools = <WhatIfButton />;
+const kFuture = <FuturePanel />;
+
 /** Whether there is a line to be shown. */
 export function useHasTimeLine(): boolean {
-  const line = usePart("timeLine");
-  const mode = usePart("status")?.mode ?? Status_Mode.NO_MISSION;
-  const hasTime = usePart("time") > 0;
-  if (!line) return false;
-  return line.recording !== "" || line.end > 0 || (hasTime && mode !== Status_Mode.NO_MISSION);
+  return useReading(["timeLine", "status", "time"], (model) => {
+    const line = model.get("timeLine");
+    const mode = model.get("status")?.mode ?? Status_Mode.NO_MISSION;
+    if (!line) return false;
+    return line.recording !== "" || line.end > 0 || (model.get("time") > 0 && mode !== Status_Mode.NO_MISSION);
+  });
 }
 
 export function TimeLine() {
@@ -50,7 +55,10 @@ function Line() {
   const all = travel.events();
   const events = useMemo(() => shownEvents(all, hidden), [all, hidden]);
   const end = travel.end;
-  const examples = useExamples();
+  const does = useMemo(
+    () => ({ ...travel.does, bookmark: () => void list.mark(), bookmarks: () => list.toggle() }),
+    [travel, list],
+  );
   useGhosts();
   return (
     <TimeBar
@@ -72,28 +80,35 @@ function Line() {
       isListing={isListing && !isFinding}
       bookmarks={kept?.bookmarks.length ?? 0}
       whyNoBookmark={list.whyNot ?? ""}
-      does={{ ...travel.does, bookmark: () => void list.mark(), bookmarks: () => list.toggle() }}
-      tools={<WhatIfButton />}
+      does={does}
+      tools={kTools}
     >
-      {!isListing && !isFinding && <FuturePanel />}
+      {!isListing && !isFinding && kFuture}
       {isListing && !isFinding && <Listed time={at.time} />}
-      {isFinding && (
-        <FindPanel
-          finding={finding}
-          examples={examples}
-          end={end}
-          time={at.time}
-          onFind={(condition) => void travel.finder.find(condition)}
-          onCancel={() => travel.finder.cancel()}
-          onGo={travel.does.go}
-          onNext={(by) => {
-            const to = neighbourMoment(finding.moments, at.time, by);
-            if (to !== undefined) travel.does.go(to);
-          }}
-          onClose={() => travel.set("isFinding", false)}
-        />
-      )}
+      {isFinding && <Sought time={at.time} end={end} />}
     </TimeBar>
+  );
+}
+
+function Sought({ time, end }: { time: number; end: number }) {
+  const travel = useTravel();
+  const finding = useFinding();
+  const examples = useExamples();
+  return (
+    <FindPanel
+      finding={finding}
+      examples={examples}
+      end={end}
+      time={time}
+      onFind={(condition) => void travel.finder.find(condition)}
+      onCancel={() => travel.finder.cancel()}
+      onGo={travel.does.go}
+      onNext={(by) => {
+        const to = neighbourMoment(finding.moments, time, by);
+        if (to !== undefined) travel.does.go(to);
+      }}
+      onClose={() => travel.set("isFinding", false)}
+    />
   );
 }
 

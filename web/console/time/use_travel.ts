@@ -1,10 +1,10 @@
 // How components get at the time line.
-import { useEffect, useState } from "react";
+import { useCallback, useEffect, useState, useSyncExternalStore } from "react";
 import type { Finding } from "../../core/moment_finder.ts";
 import { type PastWish, readPast } from "../../core/past_reader.ts";
 import type { Past } from "../../core/protocol.ts";
 import type { Whereabouts } from "../../ui/time/time_bar.tsx";
-import { usePart, useSession, useStored } from "../session/session.ts";
+import { isAlike, listen, usePart, useReading, useSession, useSteady, useStored } from "../session/session.ts";
 import { type BookmarkList, type BookmarkParts, bookmarksOf } from "./bookmarks.ts";
 import { type TimeTravel, type TravelParts, travelOf } from "./time_travel.ts";
 
@@ -31,19 +31,33 @@ export function useBookmarkPart<Name extends keyof BookmarkParts>(name: Name): B
 
 /** Drawn anew when the moment that is shown is another one: of a run that goes on some times a second. */
 export function useWhereabouts(): Whereabouts {
-  usePart("moment");
-  usePart("timeLine");
-  usePart("time");
-  useTravelPart("wanted");
-  return useTravel().whereabouts();
+  const { model, pace } = useSession();
+  const travel = useTravel();
+  const subscribe = useCallback(
+    (listener: () => void) => {
+      const ends = [
+        ...(["moment", "timeLine", "time"] as const).map((name) => listen(model, name, listener, pace)),
+        listen(travel, "wanted", listener, pace),
+      ];
+      return () => {
+        for (const end of ends) end();
+      };
+    },
+    [model, travel, pace],
+  );
+  return useSyncExternalStore(
+    subscribe,
+    useSteady(() => travel.whereabouts(), isAlike),
+  );
 }
 
 /** Whether other moments can be looked at. */
 export function useHasPast(): boolean {
-  usePart("timeLine");
-  const hasBegun = usePart("time") > 0;
   const travel = useTravel();
-  return travel.whyNot === undefined && (hasBegun || travel.end > 0);
+  return useReading(
+    ["timeLine", "time"],
+    (model) => travel.whyNot === undefined && (model.get("time") > 0 || travel.end > 0),
+  );
 }
 
 /** What was over the whole run, read while it is shown; null: not known yet. */

@@ -1,5 +1,5 @@
 // The bar along the lower edge that shows where in the run one is, and goes elsewhere.
-import { type ReactNode, useEffect, useMemo, useState } from "react";
+import { memo, type ReactNode, useCallback, useEffect, useMemo, useRef, useState } from "react";
 import { momentText, readMoment } from "../../core/run_time.ts";
 import { Choice } from "../controls/choice.tsx";
 import { Button, Field, Hint, IconButton, Switch } from "../controls/controls.tsx";
@@ -88,15 +88,30 @@ export interface TimeDoes {
 
 export const kTimeSpeeds = [0.5, 1, 2, 5, 10, 50, 100] as const;
 
+/** What moves with each moment is the track and the field; all else is drawn anew only when it says something else. */
 export function TimeBar(props: TimeBarProps) {
-  const { at, end, knownTo, endIsNow, whyNot, note, does } = props;
+  const { at, end, knownTo, endIsNow, whyNot, note, does, events, keys, isDark } = props;
   const [span, setSpan] = useSpan(end, at.time);
   const isDisabled = whyNot !== "";
   // A recording has no now that somebody could take its moments for.
   const word = !endIsNow ? "recording" : at.isNow ? "now" : at.isComing ? "past coming" : "past";
   return (
     <section className={`time-bar ${word}`} aria-label="Time line" data-testid="time-line">
-      <Movement {...props} isDisabled={isDisabled} />
+      <span className="time-moves" role="toolbar" aria-label="Go through the run">
+        <Movement
+          speed={Math.sign(at.speed)}
+          isNow={at.isNow}
+          isAtBegin={at.time <= 0}
+          isAtEnd={at.isNow || (!endIsNow && at.time >= end - 1e-6)}
+          isAfterEvent={firstFrom(events, at.time - 1e-6) > 0}
+          isBeforeEvent={!at.isNow && (events.at(-1)?.time ?? 0) > at.time + 1e-6}
+          isDisabled={isDisabled}
+          keys={keys}
+          does={does}
+        />
+        <TimeField time={at.time} isDisabled={isDisabled} onGo={does.go} />
+        <Speed speed={props.speed} isDisabled={isDisabled} onChoose={does.speed} />
+      </span>
       <div className="time-line">
         <Track
           span={span}
@@ -105,9 +120,9 @@ export function TimeBar(props: TimeBarProps) {
           time={at.time}
           isNow={at.isNow}
           endIsNow={endIsNow}
-          events={props.events}
+          events={events}
           found={props.found}
-          isDark={props.isDark}
+          isDark={isDark}
           isDisabled={isDisabled}
           onGo={does.go}
           onNow={does.now}
@@ -122,69 +137,102 @@ export function TimeBar(props: TimeBarProps) {
         )}
       </div>
       <span className="time-tools">
-        <IconButton
-          icon="minus"
-          label="Show more of the run"
-          isDisabled={span.to - span.from >= wholeSpan(end).to - 1e-6}
-          onPress={() => setSpan(zoomedSpan(span, 0.5, at.time, end))}
+        <Zoom span={span} end={end} time={at.time} onSpan={setSpan} />
+        <KindsShown all={props.all} hidden={props.hidden} isDark={isDark} onHide={does.hide} />
+        <BookmarkButtons
+          whyNoBookmark={props.whyNoBookmark}
+          bookmarks={props.bookmarks}
+          isListing={props.isListing}
+          keys={keys}
+          does={does}
         />
-        <IconButton
-          icon="plus"
-          label="Show less of the run, closer"
-          onPress={() => setSpan(zoomedSpan(span, 2, at.time, end))}
-        />
-        <KindsShown {...props} />
-        <BookmarkButtons {...props} />
-        <IconButton
-          icon="search"
-          label="Find moments"
-          shortcut={props.keys.find}
-          pressed={props.isFinding}
-          isDisabled={isDisabled}
-          onPress={does.find}
-        />
+        <Find isFinding={props.isFinding} isDisabled={isDisabled} shortcut={keys.find} onFind={does.find} />
         {props.tools}
       </span>
-      {endIsNow && (
-        <Hint
-          text={at.isNow ? "The run is shown as it goes on" : "Back to the run as it goes on"}
-          shortcut={props.keys.now}
-        >
-          <Button
-            tone={at.isNow ? "quiet" : "primary"}
-            className="time-now"
-            isDisabled={at.isNow || isDisabled}
-            onPress={does.now}
-          >
-            Now
-          </Button>
-        </Hint>
-      )}
+      {endIsNow && <Now isNow={at.isNow} isDisabled={isDisabled} shortcut={keys.now} onNow={does.now} />}
       {props.children}
     </section>
   );
 }
 
-function BookmarkButtons({ whyNoBookmark, bookmarks, isListing, keys, does }: TimeBarProps) {
-  return (
-    <>
-      <IconButton
-        icon="bookmark"
-        label={whyNoBookmark === "" ? "Bookmark this moment" : `Bookmark this moment: ${whyNoBookmark}`}
-        shortcut={keys.bookmark}
-        isDisabled={whyNoBookmark !== ""}
-        onPress={does.bookmark}
-      />
-      <IconButton
-        icon="bookmarks"
-        label={bookmarks === 0 ? "Bookmarks: none yet" : `Bookmarks: ${bookmarks}`}
-        shortcut={keys.bookmarks}
-        pressed={isListing}
-        onPress={does.bookmarks}
-      />
-    </>
-  );
+interface ZoomProps {
+  span: Span;
+  end: number;
+  time: number;
+  onSpan: (span: Span) => void;
 }
+
+/** Round the moment that is shown when they are pressed. */
+function Zoom({ span, end, time, onSpan }: ZoomProps) {
+  const latest = useRef({ span, end, time, onSpan });
+  latest.current = { span, end, time, onSpan };
+  const zoom = useCallback((factor: number) => {
+    const now = latest.current;
+    now.onSpan(zoomedSpan(now.span, factor, now.time, now.end));
+  }, []);
+  return <ZoomButtons isWhole={span.to - span.from >= wholeSpan(end).to - 1e-6} onZoom={zoom} />;
+}
+
+const ZoomButtons = memo(({ isWhole, onZoom }: { isWhole: boolean; onZoom: (factor: number) => void }) => (
+  <>
+    <IconButton icon="minus" label="Show more of the run" isDisabled={isWhole} onPress={() => onZoom(0.5)} />
+    <IconButton icon="plus" label="Show less of the run, closer" onPress={() => onZoom(2)} />
+  </>
+));
+
+interface FindButtonProps {
+  isFinding: boolean;
+  isDisabled: boolean;
+  shortcut: string;
+  onFind: () => void;
+}
+
+const Find = memo(({ isFinding, isDisabled, shortcut, onFind }: FindButtonProps) => (
+  <IconButton
+    icon="search"
+    label="Find moments"
+    shortcut={shortcut}
+    pressed={isFinding}
+    isDisabled={isDisabled}
+    onPress={onFind}
+  />
+));
+
+interface NowProps {
+  isNow: boolean;
+  isDisabled: boolean;
+  shortcut: string;
+  onNow: () => void;
+}
+
+const Now = memo(({ isNow, isDisabled, shortcut, onNow }: NowProps) => (
+  <Hint text={isNow ? "The run is shown as it goes on" : "Back to the run as it goes on"} shortcut={shortcut}>
+    <Button tone={isNow ? "quiet" : "primary"} className="time-now" isDisabled={isNow || isDisabled} onPress={onNow}>
+      Now
+    </Button>
+  </Hint>
+));
+
+type BookmarkProps = Pick<TimeBarProps, "whyNoBookmark" | "bookmarks" | "isListing" | "keys" | "does">;
+
+const BookmarkButtons = memo(({ whyNoBookmark, bookmarks, isListing, keys, does }: BookmarkProps) => (
+  <>
+    <IconButton
+      icon="bookmark"
+      label={whyNoBookmark === "" ? "Bookmark this moment" : `Bookmark this moment: ${whyNoBookmark}`}
+      shortcut={keys.bookmark}
+      isDisabled={whyNoBookmark !== ""}
+      onPress={does.bookmark}
+    />
+    <IconButton
+      icon="bookmarks"
+      label={bookmarks === 0 ? "Bookmarks: none yet" : `Bookmarks: ${bookmarks}`}
+      shortcut={keys.bookmarks}
+      pressed={isListing}
+      onPress={does.bookmarks}
+    />
+  </>
+));
 
 /** What is zoomed to; it goes with the moment that is shown. */
 function useSpan(end: number, time: number): [Span, (span: Span) => void] {
@@ -204,54 +252,65 @@ function useSpan(end: number, time: number): [Span, (span: Span) => void] {
   ];
 }
 
-function Movement(props: TimeBarProps & { isDisabled: boolean }) {
-  const { at, events, isDisabled, keys, does, speed } = props;
-  const isAtEnd = at.isNow || (!props.endIsNow && at.time >= props.end - 1e-6);
-  const before = firstFrom(events, at.time - 1e-6) > 0;
-  const after = !at.isNow && (events.at(-1)?.time ?? 0) > at.time + 1e-6;
+interface MovementProps {
+  /** Backwards: -1, it stands: 0, ahead: 1. */
+  speed: number;
+  isNow: boolean;
+  isAtBegin: boolean;
+  isAtEnd: boolean;
+  /** There is an event before, and one after. */
+  isAfterEvent: boolean;
+  isBeforeEvent: boolean;
+  isDisabled: boolean;
+  keys: TimeBarProps["keys"];
+  does: TimeDoes;
+}
+
+const Movement = memo((props: MovementProps) => {
+  const { speed, isNow, isAtBegin, isDisabled, keys, does } = props;
   return (
-    <span className="time-moves" role="toolbar" aria-label="Go through the run">
+    <>
       <IconButton
         icon="event_back"
         className="wide-only"
         label="To the event before"
         shortcut={keys["event-back"]}
-        isDisabled={isDisabled || !before}
+        isDisabled={isDisabled || !props.isAfterEvent}
         onPress={() => does.event(-1)}
       />
       <IconButton
         icon="cycle_back"
         label="A cycle back"
         shortcut={keys.back}
-        isDisabled={isDisabled || at.time <= 0}
+        isDisabled={isDisabled || isAtBegin}
         onPress={() => does.step(-1)}
       />
       <IconButton
-        icon={at.speed < 0 ? "pause" : "play_back"}
+        icon={speed < 0 ? "pause" : "play_back"}
         className="wide-only"
-        label={at.speed < 0 ? "Let time stand" : "Play backwards"}
+        label={speed < 0 ? "Let time stand" : "Play backwards"}
         shortcut={keys["play-back"]}
-        isDisabled={isDisabled || at.time <= 0}
-        onPress={() => does.play(at.speed < 0 ? 0 : -1)}
+        isDisabled={isDisabled || isAtBegin}
+        onPress={() => does.play(speed < 0 ? 0 : -1)}
       />
       <IconButton
-        icon={at.speed > 0 ? "pause" : "play"}
+        icon={speed > 0 ? "pause" : "play"}
         label={
-          at.speed > 0
+          speed > 0
             ? "Let time stand"
-            : at.isNow
+            : isNow
               ? "Play: the run is shown as it goes on, so there is nothing to play"
               : "Play what was"
         }
         shortcut={keys.play}
-        isDisabled={isDisabled || at.isNow}
-        onPress={() => does.play(at.speed > 0 ? 0 : 1)}
+        isDisabled={isDisabled || isNow}
+        onPress={() => does.play(speed > 0 ? 0 : 1)}
       />
       <IconButton
         icon="cycle_on"
         label="A cycle on"
         shortcut={keys.on}
-        isDisabled={isDisabled || isAtEnd}
+        isDisabled={isDisabled || props.isAtEnd}
         onPress={() => does.step(1)}
       />
       <IconButton
@@ -259,23 +318,33 @@ function Movement(props: TimeBarProps & { isDisabled: boolean }) {
         className="wide-only"
         label="To the next event"
         shortcut={keys["event-on"]}
-        isDisabled={isDisabled || !after}
+        isDisabled={isDisabled || !props.isBeforeEvent}
         onPress={() => does.event(1)}
       />
-      <TimeField time={at.time} isDisabled={isDisabled} onGo={does.go} />
-      <span className="time-speed">
-        <Choice
-          label="Speed at which the past is played"
-          hiddenLabel
-          value={String(speed)}
-          choices={kTimeSpeeds.map((one) => [String(one), `×${one}`] as const)}
-          isDisabled={isDisabled}
-          onChange={(one) => does.speed(Number(one))}
-        />
-      </span>
-    </span>
+    </>
   );
+});
+
+interface SpeedProps {
+  speed: number;
+  isDisabled: boolean;
+  onChoose: (speed: number) => void;
 }
+
+const kSpeedChoices = kTimeSpeeds.map((one) => [String(one), `×${one}`] as const);
+
+const Speed = memo(({ speed, isDisabled, onChoose }: SpeedProps) => (
+  <span className="time-speed">
+    <Choice
+      label="Speed at which the past is played"
+      hiddenLabel
+      value={String(speed)}
+      choices={kSpeedChoices}
+      isDisabled={isDisabled}
+      onChange={(one) => onChoose(Number(one))}
+    />
+  </span>
+));
 
 /** Shows the time; what is typed there is gone to. */
 function TimeField({ time, isDisabled, onGo }: { time: number; isDisabled: boolean; onGo: (time: number) => void }) {
@@ -321,7 +390,14 @@ function TimeField({ time, isDisabled, onGo }: { time: number; isDisabled: boole
   );
 }
 
-function KindsShown({ all, hidden, isDark, does }: TimeBarProps) {
+interface KindsProps {
+  all: readonly TimeEvent[];
+  hidden: ReadonlySet<EventKind>;
+  isDark: boolean;
+  onHide: (hidden: ReadonlySet<EventKind>) => void;
+}
+
+const KindsShown = memo(({ all, hidden, isDark, onHide }: KindsProps) => {
   const counts = new Map<EventKind, number>();
   for (const { kind } of all) counts.set(kind, (counts.get(kind) ?? 0) + 1);
   const shown = kEventKinds.length - hidden.size;
@@ -357,7 +433,7 @@ function KindsShown({ all, hidden, isDark, does }: TimeBarProps) {
                 const next = new Set(hidden);
                 if (isShown) next.delete(look.kind);
                 else next.add(look.kind);
-                does.hide(next);
+                onHide(next);
               }}
             />
             <span className="number small muted">{counts.get(look.kind) ?? 0}</span>
@@ -366,7 +442,7 @@ function KindsShown({ all, hidden, isDark, does }: TimeBarProps) {
       </div>
     </PopoverButton>
   );
-}
+});
 
 const kSigns: Record<(typeof kLooks)[number]["shape"], string> = {
   bar: "M6 1h3v14H6z",

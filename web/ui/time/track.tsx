@@ -1,6 +1,7 @@
 // The line itself: a slider over the whole run, or the part of it that is zoomed to.
 import {
   type KeyboardEvent,
+  memo,
   type PointerEvent,
   type RefObject,
   useEffect,
@@ -61,7 +62,15 @@ export function Track(props: TrackProps) {
       onKeyDown={(event) => pressOnTrack(event, props)}
       {...usePointer(box, props, setHover)}
     >
-      <Picture {...props} width={width} />
+      <Picture
+        span={span}
+        end={end}
+        knownTo={props.knownTo}
+        events={props.events}
+        found={props.found}
+        isDark={props.isDark}
+        width={width}
+      />
       {endIsNow && (
         <span className="time-now-edge" style={{ left: `${100 * shareOf(span, end)}%` }} aria-hidden="true" />
       )}
@@ -94,7 +103,9 @@ function Tip({ span, events, found, at, width, isDark }: TrackProps & { at: numb
   );
 }
 
-function Picture({ span, end, knownTo, events, found, isDark, width }: TrackProps & { width: number }) {
+type PictureProps = Pick<TrackProps, "span" | "end" | "knownTo" | "events" | "found" | "isDark"> & { width: number };
+
+const Picture = memo(({ span, end, knownTo, events, found, isDark, width }: PictureProps) => {
   const canvas = useRef<HTMLCanvasElement>(null);
   useLayoutEffect(() => {
     const element = canvas.current;
@@ -124,7 +135,7 @@ function Picture({ span, end, knownTo, events, found, isDark, width }: TrackProp
     });
   }, [span, end, knownTo, events, found, isDark, width]);
   return <canvas ref={canvas} className="time-picture" />;
-}
+});
 
 function useWidth(box: RefObject<HTMLElement | null>): number {
   const [width, setWidth] = useState(0);
