@@ -27,6 +27,30 @@ test("a trail keeps the newest of what it was given, in order", () => {
   );
 });
 
+test("a trail goes on from points that are taken over as from points that were added", () => {
+  fc.assert(
+    fc.property(
+      fc.integer({ min: 1, max: 50 }),
+      fc.integer({ min: 0, max: 120 }),
+      fc.integer({ min: 0, max: 120 }),
+      fc.integer({ min: 0, max: 2 }),
+      (capacity, before, after, rest) => {
+        const points = Float32Array.from({ length: before * 3 + rest }, (_, i) => i);
+        const taken = new Trail(capacity, points);
+        const added = new Trail(capacity);
+        for (let i = 0; i < before; ++i) added.add(points[i * 3]!, points[i * 3 + 1]!, points[i * 3 + 2]!);
+        for (const trail of [taken, added]) {
+          trail.cut(before * 2);
+          for (let i = 0; i < after; ++i) trail.add(i, -i, 1000 + i);
+        }
+        const read = (trail: Trail) =>
+          Array.from({ length: trail.count }, (_, i) => [trail.x(i), trail.y(i), trail.time(i)]);
+        expect(read(taken)).toEqual(read(added));
+      },
+    ),
+  );
+});
+
 test("who stands leaves no new points", () => {
   const store = new TrailStore();
   for (let time = 0; time < 50; ++time) store.extend(tableOf(3, 4), time);

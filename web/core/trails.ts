@@ -9,8 +9,15 @@ export class Trail {
   private first = 0;
   count = 0;
 
-  constructor(private readonly capacity: number) {
-    this.points = new Float32Array(Math.min(32, capacity) * 3);
+  /** @param points  that there are already, oldest first; they are taken over, and of too many the last ones */
+  constructor(
+    private readonly capacity: number,
+    points?: Float32Array,
+  ) {
+    const whole = points ? points.length - (points.length % 3) : 0;
+    this.count = Math.min(whole / 3, capacity);
+    if (points && this.count > 0) this.points = points.subarray(whole - this.count * 3, whole);
+    else this.points = new Float32Array(Math.min(32, capacity) * 3);
   }
 
   add(x: number, y: number, time: number): void {
@@ -93,12 +100,7 @@ export class TrailStore {
 
   replace(message: Trails): void {
     this.clear();
-    for (const { robot, points } of message.trails) {
-      const floats = toFloats(points);
-      const trail = new Trail(this.capacity);
-      for (let at = 0; at + 2 < floats.length; at += 3) trail.add(floats[at]!, floats[at + 1]!, floats[at + 2]!);
-      this.trails.set(robot, trail);
-    }
+    for (const { robot, points } of message.trails) this.trails.set(robot, new Trail(this.capacity, toFloats(points)));
   }
 
   extend(robots: RobotTable, time: number): void {
