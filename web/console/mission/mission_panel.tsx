@@ -1,10 +1,10 @@
 // The mission's steps, what runs now, and, until the first of them starts, the one large button.
-import { memo, useEffect, useRef } from "react";
+import { memo, useEffect, useRef, useState } from "react";
 import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Bar, Button, Hint } from "../../ui/controls/controls.tsx";
 import { Icon, type IconName } from "../../ui/controls/icons.tsx";
-import { MenuButton, type MenuEntry } from "../../ui/controls/menus.tsx";
+import { MenuAt, type MenuEntry } from "../../ui/controls/menus.tsx";
 import { distance, duration, readableMessage } from "../../ui/words/format.ts";
 import { askFirst, control } from "../session/orders.ts";
 import { isAlike, useMayOrder, useMode, usePart, useReading, useSession } from "../session/session.ts";
@@ -149,6 +149,8 @@ function Steps() {
   const current = rows.findIndex((row) => row.state === "running" || row.state === "next");
   const mayOrder = useMayOrder();
   const hasEnded = status?.mode === Status_Mode.ENDED;
+  const [open, setOpen] = useState<OpenMenu | null>(null);
+  const opened = open && rows.find((row) => row.key === open.key);
   // In sight also when the panel becomes lower.
   useEffect(() => {
     const show = () => list.current?.children[current]?.scrollIntoView?.({ block: "nearest" });
@@ -182,26 +184,31 @@ function Steps() {
       <Bar share={missionProgress(rows)} />
       <ol ref={list}>
         {rows.map((row) => (
-          <Step key={row.key} row={row} mayOrder={mayOrder} hasEnded={hasEnded} />
+          <Step key={row.key} row={row} isOpen={row.key === open?.key} onMenu={setOpen} />
         ))}
       </ol>
+      {opened && open && (
+        <StepMenu row={opened} at={open.button} mayOrder={mayOrder} hasEnded={hasEnded} onClose={() => setOpen(null)} />
+      )}
     </section>
   );
 }
 
-interface StepProps {
-  row: StepRow;
-  mayOrder: boolean;
-  hasEnded: boolean;
+/** Whose menu is open, and the button that it belongs to. */
+interface OpenMenu {
+  readonly key: string;
+  readonly button: Element;
 }
 
-const Step = memo(
-  DrawnStep,
-  (a, b) => a.mayOrder === b.mayOrder && a.hasEnded === b.hasEnded && isSameRow(a.row, b.row),
-);
+interface StepProps {
+  row: StepRow;
+  isOpen: boolean;
+  onMenu: (open: OpenMenu) => void;
+}
 
-function DrawnStep(props: StepProps) {
-  const { row } = props;
+const Step = memo(DrawnStep, (a, b) => a.isOpen === b.isOpen && a.onMenu === b.onMenu && isSameRow(a.row, b.row));
+
+function DrawnStep({ row, isOpen, onMenu }: StepProps) {
   return (
     <li
       className={`step ${row.state}`}
@@ -221,9 +228,22 @@ function DrawnStep(props: StepProps) {
         ))}
         <StepFoot row={row} />
       </div>
-      <StepMenu {...props} />
+      <Button
+        tone="quiet"
+        className="square step-menu"
+        aria-label={`Actions of ${nameOf(row)}`}
+        aria-haspopup="menu"
+        aria-expanded={isOpen}
+        onPress={({ target }) => onMenu({ key: row.key, button: target })}
+      >
+        <Icon name="more" />
+      </Button>
     </li>
   );
+}
+
+function nameOf(row: StepRow): string {
+  return row.step === kStepOfOrder ? "typed command" : `step ${row.label}`;
 }
 
 function StateSign({ state }: { state: StepState }) {
@@ -295,7 +315,15 @@ function StepFoot({ row }: { row: StepRow }) {
   );
 }
 
-function StepMenu({ row, mayOrder, hasEnded }: StepProps) {
+interface StepMenuProps {
+  row: StepRow;
+  at: Element;
+  mayOrder: boolean;
+  hasEnded: boolean;
+  onClose: () => void;
+}
+
+function StepMenu({ row, at, mayOrder, hasEnded, onClose }: StepMenuProps) {
   const session = useSession();
   const isPlanned = row.step !== kStepOfOrder;
   const entries: MenuEntry[] = [];
@@ -328,16 +356,5 @@ function StepMenu({ row, mayOrder, hasEnded }: StepProps) {
         row.commands.map((command) => command.unit),
       ),
   });
-  const name = isPlanned ? `step ${row.label}` : "typed command";
-  return (
-    <MenuButton
-      label={name}
-      trigger={
-        <Button tone="quiet" className="square step-menu" aria-label={`Actions of ${name}`}>
-          <Icon name="more" />
-        </Button>
-      }
-      groups={[{ entries }]}
-    />
-  );
+  return <MenuAt at={at} label={nameOf(row)} groups={[{ entries }]} onClose={onClose} />;
 }

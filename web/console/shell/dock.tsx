@@ -1,5 +1,5 @@
 // The docks around the map: a rail of buttons, the panel that is shown, a border that can be dragged.
-import { Suspense } from "react";
+import { Suspense, useDeferredValue } from "react";
 import { Button as AriaButton } from "react-aria-components";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
@@ -62,12 +62,17 @@ function Badge({ use }: { use: () => number }) {
 }
 
 export function Dock({ side }: { side: DockName }) {
-  const { ui } = useSession();
   const layout = useLayout();
   const panel = activePanel(layout, panels, side);
   if (!layout.docks[side].open || !panel) return null;
-  const size = layout.docks[side].size;
+  return <ShownDock side={side} panel={panel} size={layout.docks[side].size} />;
+}
+
+function ShownDock({ side, panel, size }: { side: DockName; panel: Panel; size: number }) {
+  const { ui } = useSession();
   const Shown = panel.component;
+  // The map comes first: what a panel lists may be long.
+  const isDue = useDeferredValue(true, false);
   return (
     <section
       className={`dock ${side}`}
@@ -77,7 +82,7 @@ export function Dock({ side }: { side: DockName }) {
       <Splitter
         side={side}
         label={side === "bottom" ? "Height of the bottom panel" : `Width of the ${side} panel`}
-        size={layout.docks[side].size}
+        size={size}
         {...kDockSizes[side]}
         onSize={(size) => ui.set("layout", resizeDock(ui.get("layout"), side, size))}
       />
@@ -111,9 +116,7 @@ export function Dock({ side }: { side: DockName }) {
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
       <section className="panel" tabIndex={0} aria-label={`${panel.title} content`}>
         <ErrorFence key={panel.id} name={panel.title}>
-          <Suspense fallback={<p className="empty">Loading…</p>}>
-            <Shown />
-          </Suspense>
+          <Suspense fallback={<p className="empty">Loading…</p>}>{isDue && <Shown />}</Suspense>
         </ErrorFence>
       </section>
     </section>

@@ -53,6 +53,7 @@ export class MapLayers {
   private drawings = 0;
   private drawing = 0;
   private movedObjects = 0;
+  private size = "";
 
   constructor(
     private readonly map: MapView,
@@ -75,13 +76,17 @@ export class MapLayers {
     this.picture.load(scene?.picture?.url ?? "");
   }
 
-  /** [CSS pixels] */
-  resize(width: number, height: number): void {
+  /** [CSS pixels] @returns false: they have this size already */
+  resize(width: number, height: number): boolean {
     const density = this.density();
+    const size = `${width}/${height}/${density}`;
+    if (size === this.size) return false;
+    this.size = size;
     for (const canvas of this.map.host.querySelectorAll("canvas")) {
       canvas.width = Math.round(width * density);
       canvas.height = Math.round(height * density);
     }
+    return true;
   }
 
   /** Newer places of robots and moved things have come. */

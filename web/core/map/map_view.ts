@@ -54,8 +54,8 @@ export class MapView {
     this.input = new MapInput(this);
     this.readout = new PlaceReadout(this);
     this.listen();
-    this.resize();
     this.takeScene();
+    this.resize();
   }
 
   /** The active tool: selecting, unless another was chosen. */
@@ -176,7 +176,7 @@ export class MapView {
     const { clientWidth, clientHeight } = this.host;
     if (clientWidth === 0 || clientHeight === 0) return;
     const isFirst = this.camera.width <= 1;
-    this.layers.resize(clientWidth, clientHeight);
+    if (!this.layers.resize(clientWidth, clientHeight)) return;
     this.camera.resize(clientWidth, clientHeight);
     if (isFirst) this.framing.fit();
     // At once: a canvas that has changed its size is empty until it is drawn.

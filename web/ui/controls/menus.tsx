@@ -1,5 +1,5 @@
 // Menus, popovers and dialogs.
-import { type ReactNode, useId } from "react";
+import { type ReactNode, useId, useRef } from "react";
 import {
   Dialog,
   DialogTrigger,
@@ -47,37 +47,76 @@ export function MenuButton({
     <MenuTrigger>
       {trigger}
       <Popover className="popover" offset={4}>
-        <Menu className="menu" aria-label={label}>
-          {groups.flatMap((group, i) => [
-            ...(i > 0 ? [<Separator key={`s${i}`} className="menu-separator" />] : []),
-            <MenuSection key={`g${i}`} aria-label={group.title ?? label}>
-              {group.title && <Header className="menu-header">{group.title}</Header>}
-              {group.entries.map((entry) => (
-                <MenuItem
-                  key={entry.id}
-                  id={entry.id}
-                  className="menu-item"
-                  textValue={entry.label}
-                  isDisabled={entry.isDisabled ?? false}
-                  onAction={entry.run}
-                >
-                  {entry.icon && <Icon name={entry.icon} />}
-                  <span className="texts">
-                    <span>{entry.label}</span>
-                    {entry.detail && <span className="small muted ellipsis">{entry.detail}</span>}
-                  </span>
-                  {entry.shortcut && (
-                    <span className="tail">
-                      <kbd>{entry.shortcut}</kbd>
-                    </span>
-                  )}
-                </MenuItem>
-              ))}
-            </MenuSection>,
-          ])}
-        </Menu>
+        <MenuOf label={label} groups={groups} />
       </Popover>
     </MenuTrigger>
+  );
+}
+
+interface MenuAtProps {
+  /** The button that it was opened with. */
+  at: Element;
+  label: string;
+  groups: readonly MenuGroup[];
+  onClose: () => void;
+}
+
+/** An open menu, one for the buttons of many rows: a menu of its own for each would cost more than the row. */
+export function MenuAt({ at, label, groups, onClose }: MenuAtProps) {
+  const trigger = useRef(at);
+  trigger.current = at;
+  return (
+    <Popover
+      className="popover"
+      offset={4}
+      trigger="MenuTrigger"
+      triggerRef={trigger}
+      isOpen
+      onOpenChange={(isOpen) => !isOpen && onClose()}
+    >
+      <MenuOf label={label} groups={groups} onClose={onClose} />
+    </Popover>
+  );
+}
+
+interface MenuOfProps {
+  label: string;
+  groups: readonly MenuGroup[];
+  /** It is opened by somebody else than its trigger. */
+  onClose?: () => void;
+}
+
+function MenuOf({ label, groups, onClose }: MenuOfProps) {
+  return (
+    <Menu className="menu" aria-label={label} {...(onClose ? { onClose, autoFocus: "first" } : {})}>
+      {groups.flatMap((group, i) => [
+        ...(i > 0 ? [<Separator key={`s${i}`} className="menu-separator" />] : []),
+        <MenuSection key={`g${i}`} aria-label={group.title ?? label}>
+          {group.title && <Header className="menu-header">{group.title}</Header>}
+          {group.entries.map((entry) => (
+            <MenuItem
+              key={entry.id}
+              id={entry.id}
+              className="menu-item"
+              textValue={entry.label}
+              isDisabled={entry.isDisabled ?? false}
+              onAction={entry.run}
+            >
+              {entry.icon && <Icon name={entry.icon} />}
+              <span className="texts">
+                <span>{entry.label}</span>
+                {entry.detail && <span className="small muted ellipsis">{entry.detail}</span>}
+              </span>
+              {entry.shortcut && (
+                <span className="tail">
+                  <kbd>{entry.shortcut}</kbd>
+                </span>
+              )}
+            </MenuItem>
+          ))}
+        </MenuSection>,
+      ])}
+    </Menu>
   );
 }
 
