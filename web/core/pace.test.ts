@@ -39,3 +39,26 @@ test("who has gone is not told", () => {
   pictures[0]!();
   expect(listener).not.toHaveBeenCalled();
 });
+
+test("what can wait is told with what comes next, or after a moment", () => {
+  vi.useFakeTimers();
+  const { pace, pictures } = setUp();
+  const [patient, other] = [vi.fn(), vi.fn()];
+  pace.withNext(patient);
+  expect(pictures).toHaveLength(0);
+  pace.soon(other);
+  pictures[0]!();
+  expect(patient).toHaveBeenCalledTimes(1);
+  vi.advanceTimersByTime(1000);
+  expect(pictures).toHaveLength(1);
+  pace.withNext(patient);
+  vi.advanceTimersByTime(1000);
+  expect(pictures).toHaveLength(2);
+  pictures[1]!();
+  expect(patient).toHaveBeenCalledTimes(2);
+  pace.withNext(patient);
+  pace.forget(patient);
+  vi.advanceTimersByTime(1000);
+  expect(patient).toHaveBeenCalledTimes(2);
+  vi.useRealTimers();
+});

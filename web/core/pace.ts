@@ -3,8 +3,12 @@
 
 export type Listener = () => void;
 
+const kPatience = 50; // ms
+
 export class Pace {
   private readonly waiting = new Set<Listener>();
+  private readonly patient = new Set<Listener>();
+  private timer: ReturnType<typeof setTimeout> | undefined;
 
   /** @param beforePainting  calls back before the page is painted next */
   constructor(private readonly beforePainting: (done: () => void) => void) {}
@@ -15,15 +19,28 @@ export class Pace {
     this.waiting.add(listener);
   }
 
+  /** Tells it together with what comes next; where nothing does, after a moment. */
+  withNext(listener: Listener): void {
+    this.patient.add(listener);
+    this.timer ??= setTimeout(() => {
+      this.timer = undefined;
+      for (const one of this.patient) this.soon(one);
+    }, kPatience);
+  }
+
   /** It need not be told any more. */
   forget(listener: Listener): void {
     this.waiting.delete(listener);
+    this.patient.delete(listener);
   }
 
   /** Tells everybody now. */
   tell(): void {
-    const told = [...this.waiting];
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    const told = new Set([...this.waiting, ...this.patient]);
     this.waiting.clear();
+    this.patient.clear();
     for (const listener of told) listener();
   }
 }

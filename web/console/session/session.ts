@@ -30,11 +30,26 @@ export function useSession(): Session {
 /** A part of the model; the component is drawn anew when it changes, and for nothing else. */
 export function usePart<Name extends keyof Parts>(name: Name): Parts[Name] {
   const { model, pace } = useSession();
-  return useStored<Parts, Name>(model, name, kOwn.has(name) ? undefined : pace);
+  const subscribe = useCallback((listener: () => void) => hear(model, name, listener, pace), [model, name, pace]);
+  return useSyncExternalStore(subscribe, () => model.get(name));
 }
 
 /** What this browser itself changes: fields show at once what is typed into them. */
 const kOwn: ReadonlySet<keyof Parts> = new Set(["selection", "map"]);
+/** Told some times a second, whatever comes with the frames between. */
+const kSlow: ReadonlySet<keyof Parts> = new Set(["time", "details", "standings"]);
+
+/** As Model.subscribe, at a pace. */
+export function hear(model: Model, name: keyof Parts, listener: () => void, pace: Pace | undefined): () => void {
+  if (!pace || kOwn.has(name)) return model.subscribe(name, listener);
+  // While a moment is being computed the one before is shown: that is told with the new one, unless it takes long.
+  const canWait = () => kSlow.has(name) || (name === "moment" && model.get("moment")?.isComing === true);
+  const end = model.subscribe(name, () => (canWait() ? pace.withNext(listener) : pace.soon(listener)));
+  return () => {
+    end();
+    pace.forget(listener);
+  };
+}
 
 /**
  * What `read` finds in some parts of the model; the component is drawn anew when it finds something else. For who shows
@@ -49,7 +64,7 @@ export function useReading<Value>(
   const key = names.join();
   const subscribe = useCallback(
     (listener: () => void) => {
-      const ends = (key.split(",") as (keyof Parts)[]).map((name) => listen(model, name, listener, pace));
+      const ends = (key.split(",") as (keyof Parts)[]).map((name) => hear(model, name, listener, pace));
       return () => {
         for (const end of ends) end();
       };
@@ -77,21 +92,6 @@ export function isAlike(a: unknown, b: unknown): boolean {
   return a === b || JSON.stringify(a) === JSON.stringify(b);
 }
 
-/** As Store.subscribe, at a pace. */
-export function listen<Stored extends object>(
-  store: Store<Stored>,
-  name: keyof Stored,
-  listener: () => void,
-  pace: Pace | undefined,
-): () => void {
-  if (!pace) return store.subscribe(name, listener);
-  const end = store.subscribe(name, () => pace.soon(listener));
-  return () => {
-    end();
-    pace.forget(listener);
-  };
-}
-
 /** A part of what only this browser knows. */
 export function useUi<Name extends keyof UiParts>(name: Name): UiParts[Name] {
   return useStored<UiParts, Name>(useSession().ui, name);
@@ -101,9 +101,8 @@ export function useUi<Name extends keyof UiParts>(name: Name): UiParts[Name] {
 export function useStored<Stored extends object, Name extends keyof Stored>(
   store: Store<Stored>,
   name: Name,
-  pace?: Pace,
 ): Stored[Name] {
-  const subscribe = useCallback((listener: () => void) => listen(store, name, listener, pace), [store, name, pace]);
+  const subscribe = useCallback((listener: () => void) => store.subscribe(name, listener), [store, name]);
   return useSyncExternalStore(subscribe, () => store.get(name));
 }
 

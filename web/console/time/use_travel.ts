@@ -4,7 +4,7 @@ import type { Finding } from "../../core/moment_finder.ts";
 import { type PastWish, readPast } from "../../core/past_reader.ts";
 import type { Past } from "../../core/protocol.ts";
 import type { Whereabouts } from "../../ui/time/time_bar.tsx";
-import { isAlike, listen, usePart, useReading, useSession, useSteady, useStored } from "../session/session.ts";
+import { hear, isAlike, usePart, useReading, useSession, useSteady, useStored } from "../session/session.ts";
 import { type BookmarkList, type BookmarkParts, bookmarksOf } from "./bookmarks.ts";
 import { type TimeTravel, type TravelParts, travelOf } from "./time_travel.ts";
 
@@ -35,12 +35,12 @@ export function useWhereabouts(): Whereabouts {
   const travel = useTravel();
   const subscribe = useCallback(
     (listener: () => void) => {
-      const ends = [
-        ...(["moment", "timeLine", "time"] as const).map((name) => listen(model, name, listener, pace)),
-        listen(travel, "wanted", listener, pace),
-      ];
+      const ends = (["moment", "timeLine", "time"] as const).map((name) => hear(model, name, listener, pace));
+      // What is gone to is shown together with what is there, unless that takes long.
+      ends.push(travel.subscribe("wanted", () => (pace ? pace.withNext(listener) : listener())));
       return () => {
         for (const end of ends) end();
+        pace?.forget(listener);
       };
     },
     [model, travel, pace],

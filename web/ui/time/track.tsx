@@ -43,10 +43,11 @@ export function Track(props: TrackProps) {
   const { span, time, end, isDisabled, isNow, endIsNow } = props;
   const box = useRef<HTMLDivElement>(null);
   const width = useWidth(box);
-  const [hover, setHover] = useState<number | null>(null);
+  const [hover, setHover] = useState<number | "thumb" | null>(null);
   useWheel(box, props);
   const share = shareOf(span, time);
   const isSeen = share >= -0.001 && share <= 1.001;
+  const pointed = hover === "thumb" ? Math.min(1, Math.max(0, share)) : hover;
   return (
     <div
       ref={box}
@@ -77,7 +78,7 @@ export function Track(props: TrackProps) {
       {isSeen && (
         <span className="time-thumb" style={{ left: `${100 * Math.min(1, Math.max(0, share))}%` }} aria-hidden="true" />
       )}
-      {hover !== null && width > 0 && <Tip {...props} at={hover} width={width} />}
+      {pointed !== null && width > 0 && <Tip {...props} at={pointed} width={width} />}
     </div>
   );
 }
@@ -156,8 +157,16 @@ function shareUnder(element: HTMLElement, clientX: number): number {
   return width > 0 ? Math.min(1, Math.max(0, (clientX - left) / width)) : 0;
 }
 
-/** Dragging scrubs; at the end of a run that goes on there is now. */
-function usePointer(box: RefObject<HTMLDivElement | null>, props: TrackProps, setHover: (at: number | null) => void) {
+/**
+ * Dragging scrubs; at the end of a run that goes on there is now.
+ *
+ * @param setHover  what is told of: a place under the pointer, or where the thumb is while it is dragged
+ */
+function usePointer(
+  box: RefObject<HTMLDivElement | null>,
+  props: TrackProps,
+  setHover: (at: number | "thumb" | null) => void,
+) {
   const dragged = useRef(false);
   const goTo = (event: PointerEvent): void => {
     const element = box.current;
@@ -180,8 +189,10 @@ function usePointer(box: RefObject<HTMLDivElement | null>, props: TrackProps, se
       event.preventDefault();
     },
     onPointerMove: (event: PointerEvent) => {
-      setHover(box.current ? shareUnder(box.current, event.clientX) : null);
-      if (dragged.current) goTo(event);
+      if (dragged.current) {
+        setHover("thumb");
+        goTo(event);
+      } else setHover(box.current ? shareUnder(box.current, event.clientX) : null);
     },
     onPointerLeave: () => setHover(null),
     onPointerUp: end,
