@@ -5,7 +5,7 @@ import type { LookBackSchema, Order, Reply } from "./protocol.ts";
 
 export type Look = MessageInitShape<typeof LookBackSchema>;
 
-const kShortest = 1000 / 30; // ms between two that are asked for
+const kShortest = 1000 / 40; // ms between two that are asked for: thirty a second also where one comes late
 
 export interface LookerSurroundings {
   readonly ask: (order: Order) => Promise<Reply>;
