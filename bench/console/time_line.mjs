@@ -54,12 +54,16 @@ function processorTime(pid) {
 /** Where the time line shows that the run is [s]. */
 const moment = (page) => page.getByRole("slider", { name: "Moment of the run" }).getAttribute("aria-valuenow").then(Number);
 
-/** Drags along the line and back, a step for each frame of the display: pictures that were drawn, and that differ. */
-async function measureScrubbing(page, pid, seconds) {
+/** Processor time of the page's main thread so far [s], whatever else the machine does. */
+async function mainThread(page) {
   const session = await page.context().newCDPSession(page);
-  await session.send("Performance.enable");
-  const busy = async () =>
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
+  return async () =>
     (await session.send("Performance.getMetrics")).metrics.find(({ name }) => name === "TaskDuration").value;
+}
+
+/** Drags along the line and back, a step for each frame of the display: pictures that were drawn, and that differ. */
+async function measureScrubbing(page, pid, busy, seconds) {
   const box = await page.getByRole("slider", { name: "Moment of the run" }).boundingBox();
   const y = box.y + box.height / 2;
   await page.mouse.move(box.x + 0.1 * box.width, y);
@@ -84,7 +88,7 @@ async function measureScrubbing(page, pid, seconds) {
   const [drawn, served] = [(await busy()) - busyBefore, processorTime(pid) - servedBefore];
   await page.mouse.up();
   return {
-    "main thread per picture [ms]": round((1000 * drawn) / frames),
+    "processor time of the main thread per picture [ms]": round((1000 * drawn) / frames),
     "processor time of mlab per picture [ms]": round((1000 * served) / frames),
     "pictures per second": round(frames / time),
     "moments per second": round(moments / time),
@@ -103,12 +107,14 @@ for (const [name, units, each, time] of [
   const page = await browser.page(size);
   page.setDefaultTimeout(120_000);
   await page.addInitScript(watchSocket);
+  const busy = await mainThread(page);
   const begin = Date.now();
   const mlab = await startMlab(folder, "replay", path);
   const listens = Date.now();
   await page.goto(mlab.url);
   await page.waitForFunction(() => window.noted.drawn.length > 0, undefined, { polling: 10 });
   const first = Date.now();
+  const opened = await busy();
   // All of it has been computed once where the end is shown.
   await page.getByRole("textbox", { name: "Time that is shown" }).fill(String(time));
   await page.keyboard.press("Enter");
@@ -122,8 +128,9 @@ for (const [name, units, each, time] of [
     "bytes": statSync(path).size,
     "from the command to its address [ms]": listens - begin,
     "to the first picture [ms]": first - begin,
+    "processor time of the main thread until then [ms]": round(1000 * opened),
     "until its end is shown [ms]": Date.now() - first,
-    "scrubbing": await measureScrubbing(page, mlab.pid, 10),
+    "scrubbing": await measureScrubbing(page, mlab.pid, busy, 10),
   };
   await page.screenshot({ path: join(tmpdir(), `time_line_bench_${units * each}.png`) });
   await browser.close();

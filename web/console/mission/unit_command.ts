@@ -41,3 +41,13 @@ export function followedBy(
   }
   return result;
 }
+
+/** Whether all robots follow the same as before. */
+export function isSameFollowing(a: ReadonlyMap<number, Followed>, b: ReadonlyMap<number, Followed>): boolean {
+  if (a.size !== b.size) return false;
+  for (const [id, { unit, order }] of a) {
+    const other = b.get(id);
+    if (other?.unit !== unit || other.order !== order) return false;
+  }
+  return true;
+}

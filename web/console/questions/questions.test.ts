@@ -8,7 +8,7 @@ import {
   StatusSchema,
 } from "../../core/protocol.ts";
 import { openAlerts } from "../log/alerts.ts";
-import { commandOfUnit, followedBy } from "../mission/unit_command.ts";
+import { commandOfUnit, followedBy, isSameFollowing } from "../mission/unit_command.ts";
 import { countdown } from "./countdown.ts";
 
 describe("the countdown of a question", () => {
@@ -67,6 +67,13 @@ describe("what a robot follows", () => {
     expect(followed.get(3)).toEqual({ unit: "robots 2, 3", order: "OCCUPY Y (Line)" });
     expect(followed.get(4)?.order).toBe("MOVETO Z");
     expect(followed.has(5)).toBe(false);
+  });
+  it("is followed alike as long as each robot follows the same", () => {
+    const one = new Map([[1, { unit: "a", order: "MOVETO X" }]]);
+    expect(isSameFollowing(one, new Map([[1, { unit: "a", order: "MOVETO X" }]]))).toBe(true);
+    expect(isSameFollowing(one, new Map([[1, { unit: "a", order: "MOVETO Y" }]]))).toBe(false);
+    expect(isSameFollowing(one, new Map([[2, { unit: "a", order: "MOVETO X" }]]))).toBe(false);
+    expect(isSameFollowing(one, new Map())).toBe(false);
   });
 });
 

@@ -5,8 +5,8 @@ import type { Selection } from "../../core/selection.ts";
 import { Button, Search } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
-import { commandOfUnit, type Followed, followedBy } from "../mission/unit_command.ts";
-import { usePart, useSession } from "../session/session.ts";
+import { commandOfUnit, type Followed, followedBy, isSameFollowing } from "../mission/unit_command.ts";
+import { usePart, useReading, useSession } from "../session/session.ts";
 import { robotState } from "./robot_state.ts";
 import { type RosterRow, rosterRows, selectedKeys, selectionOf } from "./rows.ts";
 import "./robots.css";
@@ -17,8 +17,11 @@ export function RobotsPanel() {
   const selection = usePart("selection");
   const [query, setQuery] = useState("");
   const [folded, setFolded] = useState<ReadonlySet<string>>(new Set());
-  const status = usePart("status");
-  const followed = useMemo(() => followedBy(status, (unit) => roster.robotsOf(unit)), [status, roster]);
+  const followed = useReading(
+    ["status", "roster"],
+    (model) => followedBy(model.get("status"), (unit) => model.get("roster").robotsOf(unit)),
+    isSameFollowing,
+  );
   const rows = useMemo(() => rosterRows(roster, query, folded), [roster, query, folded]);
   const select = (next: Selection) => model.select(next);
   const fold = (unit: string) => {
@@ -81,7 +84,7 @@ function UnitRow({
   onFold: () => void;
 }) {
   const { ui } = useSession();
-  const status = usePart("status");
+  const command = useReading(["status"], (model) => commandOfUnit(model.get("status"), row.name));
   return (
     <span className="robot-cells" style={{ paddingLeft: row.depth * 16 }}>
       <Button
@@ -94,7 +97,7 @@ function UnitRow({
       </Button>
       <strong className="ellipsis">{row.name}</strong>
       <span className="small muted number">{row.robots.length}</span>
-      <span className="small muted ellipsis grow">{commandOfUnit(status, row.name)}</span>
+      <span className="small muted ellipsis grow">{command}</span>
       <AriaButton
         className="button quiet square"
         aria-label={`Follow ${row.name}`}

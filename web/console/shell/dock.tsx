@@ -68,6 +68,8 @@ export function Dock({ side }: { side: DockName }) {
   return <ShownDock side={side} panel={panel} size={layout.docks[side].size} />;
 }
 
+const kLoading = <p className="empty">Loading…</p>;
+
 function ShownDock({ side, panel, size }: { side: DockName; panel: Panel; size: number }) {
   const { ui } = useSession();
   const Shown = panel.component;
@@ -116,7 +118,7 @@ function ShownDock({ side, panel, size }: { side: DockName; panel: Panel; size: 
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls has to be reached by keyboard */}
       <section className="panel" tabIndex={0} aria-label={`${panel.title} content`}>
         <ErrorFence key={panel.id} name={panel.title}>
-          <Suspense fallback={<p className="empty">Loading…</p>}>{isDue && <Shown />}</Suspense>
+          <Suspense fallback={kLoading}>{isDue ? <Shown /> : kLoading}</Suspense>
         </ErrorFence>
       </section>
     </section>
