@@ -175,12 +175,13 @@ export class MapView {
   private resize(): void {
     const { clientWidth, clientHeight } = this.host;
     if (clientWidth === 0 || clientHeight === 0) return;
-    const isFirst = this.camera.width <= 1;
-    if (!this.layers.resize(clientWidth, clientHeight)) return;
-    this.camera.resize(clientWidth, clientHeight);
-    if (isFirst) this.framing.fit();
-    // At once: a canvas that has changed its size is empty until it is drawn.
-    this.layers.drawAll();
+    if (this.layers.resize(clientWidth, clientHeight)) {
+      const isFirst = this.camera.width <= 1;
+      this.camera.resize(clientWidth, clientHeight);
+      if (isFirst) this.framing.fit();
+      // At once: a canvas that has changed its size is empty until it is drawn.
+      this.layers.drawAll();
+    }
     this.tell();
   }
 
