@@ -69,6 +69,7 @@ export function MenuAt({ at, label, groups, onClose }: MenuAtProps) {
     <Popover
       className="popover"
       offset={4}
+      aria-label={label}
       trigger="MenuTrigger"
       triggerRef={trigger}
       isOpen
