@@ -181,8 +181,6 @@ Answered LookBacks::why_not() const {
   if (!why_not_.empty()) return why_not_;
   if (recording_) return std::nullopt;
   if (run_.live() == nullptr || run_.live()->run().cycle() == 0) return "nothing has run yet";
-  if (run_.live()->run().is_in_real_time())
-    return "what robots do elsewhere, in real time, can't be computed again";
   return std::nullopt;
 }
 

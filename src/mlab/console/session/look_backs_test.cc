@@ -1,3 +1,5 @@
+#include <cstdint>
+#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -134,6 +136,31 @@ TEST(LookBacks, EndWithTheRunThatTheyShow) {
   ASSERT_TRUE(ben.wait([&] { return ben.frame().cycle() == 50; }));
   ASSERT_EQ(anna.control(Control::RESTART), "");
   ASSERT_TRUE(ben.wait([&] { return ben.moment().is_now() && ben.status().mode() == Status::READY; }));
+}
+
+// What robots answered there is known, though nobody could compute it again.
+TEST(LookBacks, ShowMomentsOfARunInRealTime) {
+  TestSession session("demo_c/demo_c.mdl", 1.0,
+                      [](SessionSettings& settings) { settings.run.is_in_real_time = true; });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; }));
+  ASSERT_EQ(anna.control(Control::EXECUTE), "");
+  std::map<std::uint64_t, std::string> lives;  // by cycle: where robots were
+  ASSERT_TRUE(anna.wait([&] {
+    lives[anna.frame().cycle()] = anna.frame().robots();
+    return anna.frame().time() > 3.0;
+  }));
+  int compared = 0;
+  for (const auto& [cycle, robots] : lives) {
+    if (cycle < 10 || cycle > 25) continue;
+    ASSERT_EQ(Browser::error_of(anna.ask(look_at(static_cast<double>(cycle) / 10.0))), "");
+    ASSERT_TRUE(anna.wait([&] { return !anna.moment().is_coming() && anna.frame().cycle() == cycle; }));
+    EXPECT_EQ(anna.frame().robots(), robots) << cycle;
+    ++compared;
+  }
+  EXPECT_GT(compared, 3);
+  ASSERT_EQ(Browser::error_of(anna.ask(look_at_now())), "");
+  ASSERT_TRUE(anna.wait([&] { return anna.moment().is_now() && anna.frame().time() > 3.0; }));
 }
 
 // A session that has nothing but a recording.
