@@ -16,6 +16,7 @@ using Modules = std::set<std::string, std::less<>>;
 const std::map<std::string, Modules, std::less<>> kArrows = {
     {"base", {}},
     {"geom", {"base"}},
+    {"ways", {"geom"}},
     {"text", {"base"}},
     {"documents", {"base", "text"}},
     {"cell", {"base", "text"}},
@@ -37,7 +38,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},
     {"lang/envchange", {"text", "overlay"}},
-    {"lang/mdl", {"text", "mission", "lang/odl"}},
+    {"lang/mdl", {"text", "ways", "mission", "lang/odl"}},
     {"lang/cnl", {"cell", "text", "flow"}},
     {"lang/cdl", {"text", "flow", "lang/cnl"}},
     {"lang/cdl_historic", {"text", "flow", "lang/cdl"}},

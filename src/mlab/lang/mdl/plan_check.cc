@@ -16,6 +16,7 @@
 #include "mlab/lang/mdl/goal_check.h"
 #include "mlab/lang/mdl/options.h"
 #include "mlab/lang/mdl/quoted.h"
+#include "mlab/lang/mdl/way_check.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/wording.h"
 
@@ -45,6 +46,7 @@ class PlanCheck {
         formations_(mission, diagnostics),
         goals_(mission, diagnostics),
         fences_(mission, diagnostics),
+        ways_(mission, diagnostics),
         robots_(mission.robots.size()) {
     for (std::uint32_t i = 0; i < mission.robots.size(); ++i) index_of_[mission.robots[i].id.value] = i;
   }
@@ -188,6 +190,8 @@ class PlanCheck {
     } else if (c.task != Task::kTeleoperate) {
       const RobotState& first = state(robots_of(c).front());
       formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
+      const double radius = body_radius(robots_of(c).front());
+      if (first.has_place && !ways_.check(c, first.place, radius, success_radius(c))) return;  // it stays there
     }
     for (const base::RobotId id : robots_of(c)) {
       RobotState& robot = state(id);
@@ -254,6 +258,13 @@ class PlanCheck {
     return base::counted(robots, "robot") + (robots == 1 ? " starts" : " start");
   }
 
+  // Who is so near to the goal is there [m].
+  double success_radius(const UnitCommand& c) const {
+    if (c.task == Task::kRally) return c.radius;
+    const std::uint32_t type = mission_.robots[index_of_.at(robots_of(c).front().value)].type;
+    return number_parameter(mission_.types[type], "navigation_success_radius", kDefaultSuccessRadius);
+  }
+
   double body_radius(base::RobotId id) const {
     const std::uint32_t type = mission_.robots[index_of_.at(id.value)].type;
     while (radius_of_type_.size() <= type) {
@@ -268,6 +279,7 @@ class PlanCheck {
   FormationCheck formations_;
   GoalCheck goals_;
   FenceCheck fences_;
+  WayCheck ways_;
   std::vector<RobotState> robots_;
   std::unordered_map<std::uint32_t, std::uint32_t> index_of_;  // by robot's number
   std::map<std::string, const mission::Step*> labels_;

@@ -1,0 +1,119 @@
+#include "mlab/lang/mdl/way_check.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "mlab/lang/mdl/quoted.h"
+#include "mlab/mission/command.h"
+#include "mlab/mission/wording.h"
+
+namespace mlab::mdl {
+namespace {
+
+// More on a map is left alone; the search looks at all of them from each that it comes to.
+constexpr std::size_t kMostThings = 5'000;
+// Tangents looked at over the whole mission: some tenths of a second.
+constexpr std::uint64_t kMostEffort = 4'000'000;
+// Of a body that is only there to find out whether there is a gap at all [m].
+constexpr double kThin = 1e-3;
+
+}  // namespace
+
+WayCheck::WayCheck(const mission::Mission& mission, text::Diagnostics& diagnostics)
+    : mission_(mission), diagnostics_(diagnostics) {
+  const overlay::Area area = mission.overlay.mission_area();
+  ground_.bounds = {0.0, 0.0, area.width, area.height};
+  for (const overlay::ObstacleDisc& one : mission.overlay.obstacles) {
+    ground_.discs.push_back({one.center, one.radius});
+    if (ground_.discs.size() > kMostThings) return;
+  }
+  for (const overlay::ControlMeasure& measure : mission.overlay.measures) {
+    if (overlay::info(measure.kind).substance != overlay::Substance::kSolid) continue;
+    for (std::size_t i = 0; i + 1 < measure.points.size(); ++i) {
+      ground_.walls.push_back({measure.points[i], measure.points[i + 1]});
+      measures_.push_back(&measure);
+      if (ground_.walls.size() > kMostThings) return;
+    }
+  }
+}
+
+ways::Planner& WayCheck::planner(double clearance) {
+  auto& out = planners_[clearance];
+  if (!out) out = std::make_unique<ways::Planner>(ground_, clearance);
+  return *out;
+}
+
+/// Nothing: there is a way, or there is nothing that one could begin or end at.
+std::optional<ways::Planner::NoWay> WayCheck::no_way(ways::Planner& planner, geom::Point from,
+                                                     geom::Point goal, double success) {
+  const ways::Clearing& clearing = planner.clearing();
+  const auto begin = clearing.nearest_free(from);
+  const auto end = clearing.nearest_free(goal);
+  if (!begin || !end) return std::nullopt;
+  const auto way = planner.find(*begin, *end);
+  if (way) return std::nullopt;
+  // Somewhere else it may be near enough.
+  constexpr int kSides = 16;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSides;
+    const geom::Point beside = goal + geom::Offset{std::cos(angle), std::sin(angle)} * (0.95 * success);
+    if (clearing.is_free(beside) && planner.find(*begin, beside)) return std::nullopt;
+  }
+  return way.error();
+}
+
+bool WayCheck::check(const mission::UnitCommand& command, geom::Point from, double radius, double success) {
+  const geom::Point goal = mission::goal_of(command);
+  if (ground_.discs.size() > kMostThings || ground_.walls.size() > kMostThings) return true;
+  if (ground_.discs.empty() && ground_.walls.empty()) return true;
+  if (!ground_.bounds.contains(from) || !ground_.bounds.contains(goal)) return true;
+  if (distance(from, goal) <= success || !(radius > kThin)) return true;
+  std::uint64_t effort = 0;
+  for (const auto& [clearance, one] : planners_) effort += one->effort();
+  if (effort > kMostEffort) return true;
+  const auto none = no_way(planner(radius), from, goal, success);
+  if (none) warn(command, from, radius, success, none->nearest);
+  return !none;
+}
+
+void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const {
+  if (thing < ground_.discs.size()) {
+    const text::Place& place = mission_.overlay.obstacles[thing].place;
+    if (place.source) warning.notes.push_back({"this obstacle is in the way", place});
+    return;
+  }
+  const text::Place& place = measures_[thing - ground_.discs.size()]->place;
+  if (place.source) warning.notes.push_back({"this wall is in the way", place});
+}
+
+void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, double radius, double success,
+                    geom::Point nearest) {
+  const geom::Point goal = mission::goal_of(command);
+  const std::string where = fmt::format("no way leads to {} from {:g} {:g}, where {} is by then",
+                                        in_backticks(command.place_name), from.x, from.y,
+                                        in_backticks(mission::addressee(mission_, command)));
+  // The widest gap that there is, if any: too narrow for the body, wide enough for the thin one.
+  if (!no_way(planner(kThin), from, goal, success)) {
+    double passes = kThin;
+    double stuck = radius;
+    for (int i = 0; i < 10; ++i) {
+      const double half = 0.5 * (passes + stuck);
+      ways::Planner tried(ground_, half);
+      (no_way(tried, from, goal, success) ? stuck : passes) = half;
+    }
+    diagnostics_.warning("no-way", command.goal_place,
+                         fmt::format("{}: the widest gap is {:.2f} m wide, and the body {:g} m", where,
+                                     2.0 * passes, 2.0 * radius));
+    return;
+  }
+  auto& warning = diagnostics_.warning(
+      "no-way", command.goal_place,
+      fmt::format("{}: it is closed off, and the robots come no nearer than {:.0f} m", where,
+                  distance(nearest, goal)));
+  if (const auto thing = planner(radius).clearing().first_hit({nearest, goal})) note_thing(*thing, warning);
+}
+
+}  // namespace mlab::mdl

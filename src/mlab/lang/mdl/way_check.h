@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mlab/mission/mission.h"
+#include "mlab/text/diagnostic.h"
+#include "mlab/ways/planner.h"
+
+namespace mlab::mdl {
+
+/// Of a robot's `navigation_success_radius`, where its type sets none [m].
+inline constexpr double kDefaultSuccessRadius = 10.0;
+
+/// Warns of goals that no way leads to from where a unit is: through no gap, however its robots steer.
+/// Only obstacles and walls of the overlay count. The work is bounded.
+class WayCheck {
+ public:
+  /// Both outlive this.
+  WayCheck(const mission::Mission& mission, text::Diagnostics& diagnostics);
+
+  /// @param from     where it is [m, world]
+  /// @param radius   of its bodies [m]
+  /// @param success  who is so near to the goal is there [m]
+  /// @return  false: no way leads there
+  bool check(const mission::UnitCommand& command, geom::Point from, double radius, double success);
+
+ private:
+  ways::Planner& planner(double clearance);
+  std::optional<ways::Planner::NoWay> no_way(ways::Planner& planner, geom::Point from, geom::Point goal,
+                                             double success);
+  void warn(const mission::UnitCommand& command, geom::Point from, double radius, double success,
+            geom::Point nearest);
+  void note_thing(std::uint32_t thing, text::Diagnostic& warning) const;
+
+  const mission::Mission& mission_;
+  text::Diagnostics& diagnostics_;
+  ways::Ground ground_;
+  std::vector<const overlay::ControlMeasure*> measures_;   // by wall of the ground: of what it is a piece
+  std::map<double, std::unique_ptr<ways::Planner>> planners_;  // by clearance
+};
+
+}  // namespace mlab::mdl

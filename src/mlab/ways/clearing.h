@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mlab/geom/pose.h"
+
+namespace mlab::ways {
+
+/// Something round that stands in the way.
+struct Round {
+  geom::Point center;   ///< [m, world]
+  double radius = 0.0;  ///< [m]; 0: a point
+};
+
+/// A rectangle with its sides along the axes, beyond which there is no ground [m, world].
+struct Bounds {
+  double x0 = -1e9, y0 = -1e9, x1 = 1e9, y1 = 1e9;
+
+  bool contains(geom::Point p) const { return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1; }
+};
+
+/// What stands on the ground: discs, and walls without thickness.
+struct Ground {
+  std::vector<Round> discs;
+  std::vector<geom::Segment> walls;
+  Bounds bounds;
+};
+
+/// What is left of a ground for a point that keeps a clearance from everything on it: each disc has grown by
+/// it, and each wall has become a band with round ends.
+class Clearing {
+ public:
+  /// Nearer than this to the edge of what has grown still counts as outside [m].
+  static constexpr double kTolerance = 1e-6;
+
+  /// @param ground     outlives this
+  /// @param clearance  [m], >= 0
+  Clearing(const Ground& ground, double clearance);
+
+  double clearance() const { return clearance_; }
+  const Ground& ground() const { return ground_; }
+  /// What ways go round: the grown discs, and the ends of walls. Not all of them have a free place.
+  std::span<const Round> rounds() const { return rounds_; }
+
+  bool is_free(geom::Point p) const;
+  /// Of the whole piece between two points.
+  bool is_free(geom::Segment s) const;
+  /// What a straight piece meets first: index of a disc of the ground, or of a wall behind them; nothing: it
+  /// is free.
+  std::optional<std::uint32_t> first_hit(geom::Segment s) const;
+  /// The nearest free place; nothing where none was found near it. A free one is its own.
+  std::optional<geom::Point> nearest_free(geom::Point p) const;
+
+  /// A piece of a circle without anything in the way, counter-clockwise from `begin` to `end` [rad];
+  /// 0 <= begin < 2 pi, begin <= end <= begin + 2 pi.
+  struct Arc {
+    double begin = 0.0;
+    double end = 0.0;
+  };
+  /// Those of a round.
+  std::vector<Arc> free_arcs(std::uint32_t round) const;
+
+ private:
+  struct Cell {
+    std::int32_t x, y;
+  };
+  Cell cell_of(geom::Point p) const;
+  std::span<const std::uint32_t> items(Cell cell) const;
+  template <class Visit>
+  bool walk(geom::Segment s, Visit&& visit) const;
+  void enter_items();
+  bool blocks(std::uint32_t item, geom::Point p) const;
+  /// How far along the piece (0 .. 1) it is met; more than 1: it isn't.
+  double met_at(std::uint32_t item, geom::Segment s) const;
+  std::vector<std::uint32_t> items_near(geom::Point p, double reach) const;
+
+  const Ground& ground_;
+  double clearance_;
+  std::vector<Round> rounds_;  // first the discs of the ground
+  // The cells of a grid over all that has grown, with what touches each.
+  double cell_ = 1.0;
+  double x0_ = 0.0, y0_ = 0.0;
+  std::int32_t columns_ = 1, rows_ = 1;
+  std::vector<std::uint32_t> starts_;  // by cell: where its items begin; one more for the end
+  std::vector<std::uint32_t> items_;   // discs, and walls behind them
+};
+
+}  // namespace mlab::ways

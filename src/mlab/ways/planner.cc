@@ -1,0 +1,157 @@
+#include "mlab/ways/planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <utility>
+
+#include "mlab/ways/turn.h"
+
+namespace mlab::ways {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+// From one corner to the next of a line round a circle, which then leads at most 0.9 % of the radius outside.
+constexpr double kCorner = std::numbers::pi / 12.0;
+
+}  // namespace
+
+struct Planner::Search {
+  geom::Point from;
+  geom::Point to;
+  std::vector<Step> steps;
+  using Open = std::pair<double, std::int32_t>;  // the least that a way through this step has, and the step
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+
+  void add(const Step& step) {
+    open.emplace(step.cost + distance(step.piece.tangent.piece.b, to), static_cast<std::int32_t>(steps.size()));
+    steps.push_back(step);
+  }
+  static constexpr std::uint32_t kGoal = UINT32_MAX;  // in place of a circle
+};
+
+const std::vector<Clearing::Arc>& Planner::arcs(std::uint32_t round) {
+  auto& out = arcs_[round];
+  if (!out) out = clearing_.free_arcs(round);
+  return *out;
+}
+
+/// Whether nothing stands in the way from an angle on, by so much in the circle's sense [rad].
+bool Planner::is_open(std::uint32_t circle, double angle, double by) {
+  const double slack = 1e-9 + 2.0 * Clearing::kTolerance / std::max(round(circle).radius, 1e-3);
+  const double begin = sense(circle) == Sense::kCounterClockwise ? angle : angle - by;
+  return std::ranges::any_of(arcs(circle / 2), [&](const Clearing::Arc& arc) {
+    const double from = in_turn(begin - arc.begin + slack);
+    return arc.end - arc.begin >= kTurn || from + by <= arc.end - arc.begin + 2.0 * slack;
+  });
+}
+
+const Planner::Circle& Planner::known(std::uint32_t circle) {
+  Circle& out = circles_[circle];
+  if (out.is_known) return out;
+  out.is_known = true;
+  out.first_piece = pieces_;
+  effort_ += circles_.size();
+  for (std::uint32_t other = 0; other < circles_.size(); ++other) {
+    if (other / 2 == circle / 2) continue;
+    const auto one = tangent(round(circle), sense(circle), round(other), sense(other));
+    if (one && clearing_.is_free(one->piece))
+      out.pieces.push_back({*one, other, angle(circle, one->piece.a), angle(other, one->piece.b)});
+  }
+  pieces_ += static_cast<std::uint32_t>(out.pieces.size());
+  best_.resize(pieces_, kNever);
+  return out;
+}
+
+void Planner::begin(Search& search) {
+  effort_ += circles_.size();
+  const geom::Segment straight{search.from, search.to};
+  const double length = distance(search.from, search.to);
+  if (clearing_.is_free(straight)) {
+    search.add({{{straight, length}, Search::kGoal}, length, -1});
+    return;
+  }
+  for (std::uint32_t circle = 0; circle < circles_.size(); ++circle) {
+    const auto one = tangent({search.from, 0.0}, Sense::kCounterClockwise, round(circle), sense(circle));
+    if (one && clearing_.is_free(one->piece))
+      search.add({{*one, circle, 0.0, angle(circle, one->piece.b)}, one->length, -1});
+  }
+}
+
+void Planner::go_on(Search& search, std::int32_t step) {
+  const auto [arrived, cost_so_far, before] = search.steps[static_cast<std::size_t>(step)];
+  const std::uint32_t here = arrived.to;
+  const double arrival = arrived.to_angle;
+  const Circle& circle = known(here);
+  const auto cost_round = [&](double leaving) {
+    const double by = turned(arrival, leaving, sense(here));
+    // Straight on, but for the last digit.
+    const double rest = by > kTurn - 1e-9 ? 0.0 : by;
+    return is_open(here, arrival, rest) ? cost_so_far + round(here).radius * rest : kNever;
+  };
+  if (const auto last = tangent(round(here), sense(here), {search.to, 0.0}, Sense::kCounterClockwise)) {
+    const double leaving = angle(here, last->piece.a);
+    const double cost = cost_round(leaving) + last->length;
+    if (cost < kNever && clearing_.is_free(last->piece))
+      search.add({{*last, Search::kGoal, leaving, 0.0}, cost, step});
+  }
+  effort_ += circle.pieces.size();
+  for (std::size_t i = 0; i < circle.pieces.size(); ++i) {
+    const Piece& piece = circle.pieces[i];
+    const double cost = cost_round(piece.from_angle) + piece.tangent.length;
+    double& best = best_[circle.first_piece + i];
+    if (cost >= best) continue;
+    best = cost;
+    search.add({piece, cost, step});
+  }
+}
+
+std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point to) {
+  std::ranges::fill(best_, kNever);
+  Search search{from, to, {}, {}};
+  begin(search);
+  while (!search.open.empty()) {
+    const std::int32_t step = search.open.top().second;
+    search.open.pop();
+    if (search.steps[static_cast<std::size_t>(step)].piece.to == Search::kGoal) return way_of(search, step);
+    go_on(search, step);
+  }
+  NoWay out{from};
+  for (const Step& step : search.steps) {
+    const geom::Point reached = step.piece.tangent.piece.b;
+    if (distance(reached, to) < distance(out.nearest, to)) out.nearest = reached;
+  }
+  return std::unexpected(out);
+}
+
+Way Planner::way_of(const Search& search, std::int32_t last) const {
+  std::vector<const Step*> steps;
+  for (std::int32_t at = last; at >= 0; at = search.steps[static_cast<std::size_t>(at)].before)
+    steps.push_back(&search.steps[static_cast<std::size_t>(at)]);
+  std::ranges::reverse(steps);
+  Way out;
+  out.length = steps.back()->cost;
+  out.clearance = clearing_.clearance();
+  out.corners.push_back(search.from);
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    const std::uint32_t circle = steps[i]->piece.to;
+    const Round& one = round(circle);
+    const double begin = steps[i]->piece.to_angle;
+    const auto side = static_cast<double>(sense(circle));
+    const double by = turned(begin, steps[i + 1]->piece.from_angle, sense(circle));
+    if (by > kTurn - 1e-9 || by * one.radius < 1e-6) continue;
+    const double pieces = std::ceil(by / kCorner);
+    const double half = 0.5 * by / pieces;
+    for (double k = 0.0; k < pieces; ++k) {
+      const double angle = begin + side * (2.0 * k + 1.0) * half;
+      const double far = one.radius / std::cos(half);
+      out.corners.push_back(one.center + geom::Offset{far * std::cos(angle), far * std::sin(angle)});
+    }
+  }
+  out.corners.push_back(search.to);
+  return out;
+}
+
+}  // namespace mlab::ways

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <vector>
+
+#include "mlab/ways/clearing.h"
+#include "mlab/ways/tangents.h"
+
+namespace mlab::ways {
+
+/// A way round everything that stands on a ground: straight pieces, and arcs round things that are given as
+/// corners of a line which goes round outside of them.
+struct Way {
+  std::vector<geom::Point> corners;  ///< from where it begins to where it ends [m, world]
+  double length = 0.0;               ///< [m]; with arcs as arcs
+  double clearance = 0.0;            ///< that it keeps from everything [m], but for its ends
+};
+
+/// The shortest ways on a ground at one clearance, by a search over the tangents of everything that has grown by
+/// it, which are found as the search comes to them and kept for the next one. A shortest way among
+/// discs consists of such tangents and of arcs, so there is one wherever one can be.
+/// Belongs to one thread at a time; what it finds does not depend on what it was asked before.
+/// @source  Y.-H. Liu, S. Arimoto, *Path Planning Using a Tangent Graph for Mobile Robots Among Polygonal and Curved
+///          Obstacles*, International Journal of Robotics Research 11(4), 1992; A*: P. Hart, N. Nilsson,
+///          B. Raphael, 1968
+class Planner {
+ public:
+  /// @param ground  outlives this
+  Planner(const Ground& ground, double clearance)
+      : clearing_(ground, clearance), circles_(2 * clearing_.rounds().size()), arcs_(clearing_.rounds().size()) {}
+
+  const Clearing& clearing() const { return clearing_; }
+
+  /// There is no way: the place that can be reached and is nearest to where it should lead, among those where
+  /// ways turn [m, world].
+  struct NoWay {
+    geom::Point nearest;
+  };
+  /// @param from, to  free places of the clearing
+  std::expected<Way, NoWay> find(geom::Point from, geom::Point to);
+  /// Tangents that were looked at, by all searches together: what most of their time goes into.
+  std::uint64_t effort() const { return effort_; }
+
+ private:
+  /// A free tangent that leaves a circle.
+  struct Piece {
+    Tangent tangent;
+    std::uint32_t to = 0;     // circle
+    double from_angle = 0.0;  // where it leaves the circle [rad]
+    double to_angle = 0.0;    // where it meets the other one [rad]
+  };
+  /// A round gone round in one sense.
+  struct Circle {
+    bool is_known = false;
+    std::uint32_t first_piece = 0;  // its pieces' numbers begin here
+    std::vector<Piece> pieces;
+  };
+  /// What a search has come to: a piece, and where it comes from.
+  struct Step {
+    Piece piece;
+    double cost = 0.0;         // to its end [m]
+    std::int32_t before = -1;  // step; -1: it begins the way
+  };
+  struct Search;
+
+  const Round& round(std::uint32_t circle) const { return clearing_.rounds()[circle / 2]; }
+  static Sense sense(std::uint32_t circle) {
+    return circle % 2 == 0 ? Sense::kCounterClockwise : Sense::kClockwise;
+  }
+  double angle(std::uint32_t circle, geom::Point at) const { return direction(at - round(circle).center); }
+  const std::vector<Clearing::Arc>& arcs(std::uint32_t round);
+  bool is_open(std::uint32_t circle, double angle, double by);
+  const Circle& known(std::uint32_t circle);
+  void begin(Search& search);
+  void go_on(Search& search, std::int32_t step);
+  Way way_of(const Search& search, std::int32_t last) const;
+
+  Clearing clearing_;
+  std::vector<Circle> circles_;
+  std::vector<std::optional<std::vector<Clearing::Arc>>> arcs_;  // by round
+  std::uint32_t pieces_ = 0;
+  std::vector<double> best_;  // by piece: of the search that is under way
+  std::uint64_t effort_ = 0;
+};
+
+}  // namespace mlab::ways
