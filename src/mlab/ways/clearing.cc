@@ -193,8 +193,8 @@ Clearing::Cell Clearing::cell_of(geom::Point p) const {
 }
 
 std::span<const std::uint32_t> Clearing::items(Cell cell) const {
-  const auto at =
-      static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(cell.x);
+  const auto at = static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(cell.x);
   return std::span(items_).subspan(starts_[at], starts_[at + 1] - starts_[at]);
 }
 
@@ -293,7 +293,8 @@ double Clearing::met_at(std::uint32_t item, geom::Segment s) const {
   const geom::Segment& wall = ground_.walls[item - ground_.discs.size()];
   const double width = clearance_ - kTolerance;
   if (width <= 0.0) return intersects(s, wall) ? 0.5 : 2.0;
-  return std::min({enters_disc(s, wall.a, width), enters_disc(s, wall.b, width), enters_band(s, wall, width)});
+  return std::min(
+      {enters_disc(s, wall.a, width), enters_disc(s, wall.b, width), enters_band(s, wall, width)});
 }
 
 /// Calls visit(item, most) for what lies in the cells along the piece, in their order; `most`: how far along

@@ -43,7 +43,8 @@ TEST(Clearing, APieceIsFreeWhereAllOfItIs) {
     for (int i = 0; i < 100; ++i) {
       const geom::Segment s{{place(random), place(random)}, {place(random), place(random)}};
       double room = 1e9;
-      for (int k = 0; k <= 2000; ++k) room = std::min(room, room_at(ground, s.a + (s.b - s.a) * (k / 2000.0)));
+      for (int k = 0; k <= 2000; ++k)
+        room = std::min(room, room_at(ground, s.a + (s.b - s.a) * (k / 2000.0)));
       // Between two samples it may be a little less.
       if (std::abs(room - clearance) < 0.04) continue;
       EXPECT_EQ(clearing.is_free(s), room > clearance) << round;
@@ -79,8 +80,7 @@ TEST(Clearing, FreeArcsAreThoseWithRoom) {
         const double angle = (k + 0.3) / 90.0 * 2.0 * std::numbers::pi;
         const geom::Point p = center + geom::Offset{radius * std::cos(angle), radius * std::sin(angle)};
         const bool is_named = std::ranges::any_of(arcs, [&](const Clearing::Arc& arc) {
-          return (angle >= arc.begin && angle <= arc.end) ||
-                 angle + 2.0 * std::numbers::pi <= arc.end;
+          return (angle >= arc.begin && angle <= arc.end) || angle + 2.0 * std::numbers::pi <= arc.end;
         });
         EXPECT_EQ(is_named, clearing.is_free(p)) << round << ", round " << i << " at " << angle;
       }

@@ -26,7 +26,8 @@ struct Planner::Search {
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
 
   void add(const Step& step) {
-    open.emplace(step.cost + distance(step.piece.tangent.piece.b, to), static_cast<std::int32_t>(steps.size()));
+    open.emplace(step.cost + distance(step.piece.tangent.piece.b, to),
+                 static_cast<std::int32_t>(steps.size()));
     steps.push_back(step);
   }
   static constexpr std::uint32_t kGoal = UINT32_MAX;  // in place of a circle

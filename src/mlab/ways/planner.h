@@ -18,18 +18,21 @@ struct Way {
   double clearance = 0.0;            ///< that it keeps from everything [m], but for its ends
 };
 
-/// The shortest ways on a ground at one clearance, by a search over the tangents of everything that has grown by
-/// it, which are found as the search comes to them and kept for the next one. A shortest way among
-/// discs consists of such tangents and of arcs, so there is one wherever one can be.
-/// Belongs to one thread at a time; what it finds does not depend on what it was asked before.
-/// @source  Y.-H. Liu, S. Arimoto, *Path Planning Using a Tangent Graph for Mobile Robots Among Polygonal and Curved
+/// The shortest ways on a ground at one clearance, by a search over the tangents of everything that has grown
+/// by it, which are found as the search comes to them and kept for the next one. A shortest way among discs
+/// consists of such tangents and of arcs, so there is one wherever one can be. Belongs to one thread at a
+/// time; what it finds does not depend on what it was asked before.
+/// @source  Y.-H. Liu, S. Arimoto, *Path Planning Using a Tangent Graph for Mobile Robots Among Polygonal and
+/// Curved
 ///          Obstacles*, International Journal of Robotics Research 11(4), 1992; A*: P. Hart, N. Nilsson,
 ///          B. Raphael, 1968
 class Planner {
  public:
   /// @param ground  outlives this
   Planner(const Ground& ground, double clearance)
-      : clearing_(ground, clearance), circles_(2 * clearing_.rounds().size()), arcs_(clearing_.rounds().size()) {}
+      : clearing_(ground, clearance),
+        circles_(2 * clearing_.rounds().size()),
+        arcs_(clearing_.rounds().size()) {}
 
   const Clearing& clearing() const { return clearing_; }
 

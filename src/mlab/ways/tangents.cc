@@ -7,9 +7,9 @@
 
 namespace mlab::ways {
 
-// Whoever goes along the unit vector u round a circle counter-clockwise has its centre on the left, so the circle is
-// touched at c - r left(u); clockwise at c + r left(u). With s, the difference of the signed radii, the
-// centres lie L u + s left(u) apart.
+// Whoever goes along the unit vector u round a circle counter-clockwise has its centre on the left, so the
+// circle is touched at c - r left(u); clockwise at c + r left(u). With s, the difference of the signed radii,
+// the centres lie L u + s left(u) apart.
 std::optional<Tangent> tangent(const Round& from, Sense leaving, const Round& to, Sense meeting) {
   const double first = from.radius * static_cast<double>(leaving);
   const double second = to.radius * static_cast<double>(meeting);

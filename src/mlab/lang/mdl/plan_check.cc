@@ -191,7 +191,8 @@ class PlanCheck {
       const RobotState& first = state(robots_of(c).front());
       formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
       const double radius = body_radius(robots_of(c).front());
-      if (first.has_place && !ways_.check(c, first.place, radius, success_radius(c))) return;  // it stays there
+      if (first.has_place && !ways_.check(c, first.place, radius, success_radius(c)))
+        return;  // it stays there
     }
     for (const base::RobotId id : robots_of(c)) {
       RobotState& robot = state(id);

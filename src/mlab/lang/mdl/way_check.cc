@@ -92,9 +92,9 @@ void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const 
 void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, double radius, double success,
                     geom::Point nearest) {
   const geom::Point goal = mission::goal_of(command);
-  const std::string where = fmt::format("no way leads to {} from {:g} {:g}, where {} is by then",
-                                        in_backticks(command.place_name), from.x, from.y,
-                                        in_backticks(mission::addressee(mission_, command)));
+  const std::string where =
+      fmt::format("no way leads to {} from {:g} {:g}, where {} is by then", in_backticks(command.place_name),
+                  from.x, from.y, in_backticks(mission::addressee(mission_, command)));
   // The widest gap that there is, if any: too narrow for the body, wide enough for the thin one.
   if (!no_way(planner(kThin), from, goal, success)) {
     double passes = kThin;
@@ -109,10 +109,10 @@ void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, doubl
                                      2.0 * passes, 2.0 * radius));
     return;
   }
-  auto& warning = diagnostics_.warning(
-      "no-way", command.goal_place,
-      fmt::format("{}: it is closed off, and the robots come no nearer than {:.0f} m", where,
-                  distance(nearest, goal)));
+  auto& warning =
+      diagnostics_.warning("no-way", command.goal_place,
+                           fmt::format("{}: it is closed off, and the robots come no nearer than {:.0f} m",
+                                       where, distance(nearest, goal)));
   if (const auto thing = planner(radius).clearing().first_hit({nearest, goal})) note_thing(*thing, warning);
 }
 

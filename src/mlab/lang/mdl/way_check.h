@@ -39,7 +39,7 @@ class WayCheck {
   const mission::Mission& mission_;
   text::Diagnostics& diagnostics_;
   ways::Ground ground_;
-  std::vector<const overlay::ControlMeasure*> measures_;   // by wall of the ground: of what it is a piece
+  std::vector<const overlay::ControlMeasure*> measures_;       // by wall of the ground: of what it is a piece
   std::map<double, std::unique_ptr<ways::Planner>> planners_;  // by clearance
 };
 

@@ -118,7 +118,8 @@ TEST(Conversation, SetsAParameterOfOneRobotAndReadsItsPorts) {
   EXPECT_EQ(pace_of(1), 1.0);
   EXPECT_EQ(pace_of(2), 3.0);
   set.mutable_set()->mutable_setting()->set_value("far");
-  EXPECT_EQ(ask(conversation, set).ready().problem(), "`far` is no number: `pace` takes a number, 0 .. 10");
+  EXPECT_EQ(ask(conversation, set).ready().problem(),
+            "`far` is no number: `walk.range` takes a number, 0 .. 100 [m]");
 }
 
 TEST(Conversation, ARobotThatIsStartedAgainBeginsAnew) {

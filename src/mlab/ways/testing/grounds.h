@@ -45,8 +45,7 @@ class GridWays {
   GridWays(const Ground& ground, double clearance, double side, double step)
       : step_(step), count_(static_cast<int>(side / step) + 1) {
     for (int y = 0; y < count_; ++y) {
-      for (int x = 0; x < count_; ++x)
-        free_.push_back(room_at(ground, {x * step, y * step}) >= clearance);
+      for (int x = 0; x < count_; ++x) free_.push_back(room_at(ground, {x * step, y * step}) >= clearance);
     }
   }
 
