@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "mlab/ways/edges.h"
+#include "mlab/ways/open_arcs.h"
 #include "mlab/ways/turn.h"
 
 namespace mlab::ways {
@@ -50,121 +52,6 @@ double enters_band(geom::Segment s, geom::Segment wall, double width) {
   clip(dot(a, u), dot(d, u), 0.0, l);
   clip(cross(u, a), cross(u, d), -width, width);
   return from < to ? from : kNever;
-}
-
-/// Blocked pieces of a circle, as angles; `end` may be beyond a turn.
-class Blocked {
- public:
-  void add(double middle, double half) {
-    if (half <= 0.0) return;
-    if (half >= std::numbers::pi) {
-      is_all_ = true;
-      return;
-    }
-    const double begin = in_turn(middle - half);
-    pieces_.push_back({begin, begin + 2.0 * half});
-  }
-  std::vector<Clearing::Arc> rest() {
-    if (is_all_) return {};
-    if (pieces_.empty()) return {{0.0, kTurn}};
-    std::ranges::sort(pieces_, {}, &Clearing::Arc::begin);
-    std::vector<Clearing::Arc> out;
-    double reached = 0.0;  // how far the last turn's pieces reach into this one
-    for (const Clearing::Arc& one : pieces_) reached = std::max(reached, one.end - kTurn);
-    double begin = reached;
-    for (const Clearing::Arc& one : pieces_) {
-      if (one.begin > begin) out.push_back({begin, one.begin});
-      begin = std::max(begin, one.end);
-    }
-    if (begin < kTurn) out.push_back({begin, kTurn});
-    // What ends with the turn goes on with what begins it.
-    if (out.size() > 1 && out.back().end == kTurn && out.front().begin == 0.0) {
-      out.back().end += out.front().end;
-      out.erase(out.begin());
-    }
-    return out;
-  }
-
- private:
-  bool is_all_ = false;
-  std::vector<Clearing::Arc> pieces_;
-};
-
-/// Where free ground may begin.
-struct Edges {
-  std::vector<Round> circles;
-  std::vector<geom::Segment> sides;
-
-  void add_sides(const geom::Segment& wall, double width) {
-    const geom::Offset w = wall.b - wall.a;
-    const double l = length(w);
-    if (l <= 0.0) return;
-    const geom::Offset aside = geom::Offset{-w.y, w.x} * (width / l);
-    sides.push_back({wall.a + aside, wall.b + aside});
-    sides.push_back({wall.a - aside, wall.b - aside});
-  }
-  void add_bounds(const Bounds& bounds, geom::Point p, double reach) {
-    const Bounds near{std::max(bounds.x0, p.x - reach), std::max(bounds.y0, p.y - reach),
-                      std::min(bounds.x1, p.x + reach), std::min(bounds.y1, p.y + reach)};
-    sides.push_back({{near.x0, near.y0}, {near.x1, near.y0}});
-    sides.push_back({{near.x1, near.y0}, {near.x1, near.y1}});
-    sides.push_back({{near.x1, near.y1}, {near.x0, near.y1}});
-    sides.push_back({{near.x0, near.y1}, {near.x0, near.y0}});
-  }
-  std::vector<geom::Point> points(geom::Point p) const;
-};
-
-void add_crossings(const Round& a, const Round& b, std::vector<geom::Point>& out) {
-  const geom::Offset between = b.center - a.center;
-  const double d = length(between);
-  if (d <= 0.0 || d > a.radius + b.radius || d < std::abs(a.radius - b.radius)) return;
-  const double along = (d * d + a.radius * a.radius - b.radius * b.radius) / (2.0 * d);
-  const double aside = std::sqrt(std::max(0.0, a.radius * a.radius - along * along));
-  const geom::Offset u = between * (1.0 / d);
-  const geom::Point middle = a.center + u * along;
-  out.push_back(middle + geom::Offset{-u.y, u.x} * aside);
-  out.push_back(middle - geom::Offset{-u.y, u.x} * aside);
-}
-
-void add_crossings(const geom::Segment& s, const Round& c, std::vector<geom::Point>& out) {
-  const geom::Offset w = s.b - s.a;
-  const double l = length(w);
-  if (l <= 0.0) return;
-  const geom::Offset u = w * (1.0 / l);
-  const double along = dot(c.center - s.a, u);
-  const double aside = cross(u, c.center - s.a);
-  if (std::abs(aside) > c.radius) return;
-  const double half = std::sqrt(c.radius * c.radius - aside * aside);
-  for (const double at : {along - half, along + half}) {
-    if (at >= 0.0 && at <= l) out.push_back(s.a + u * at);
-  }
-}
-
-void add_crossings(const geom::Segment& s, const geom::Segment& t, std::vector<geom::Point>& out) {
-  const geom::Offset a = s.b - s.a;
-  const geom::Offset b = t.b - t.a;
-  const double area = cross(a, b);
-  if (area == 0.0) return;
-  const double at = cross(t.a - s.a, b) / area;
-  const double of = cross(t.a - s.a, a) / area;
-  if (at >= 0.0 && at <= 1.0 && of >= 0.0 && of <= 1.0) out.push_back(s.a + a * at);
-}
-
-std::vector<geom::Point> Edges::points(geom::Point p) const {
-  std::vector<geom::Point> out;
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    const Round& one = circles[i];
-    const double d = distance(p, one.center);
-    const geom::Offset away = d > 0.0 ? (p - one.center) * (1.0 / d) : geom::Offset{1.0, 0.0};
-    out.push_back(one.center + away * one.radius);
-    for (std::size_t j = 0; j < i; ++j) add_crossings(one, circles[j], out);
-    for (const geom::Segment& side : sides) add_crossings(side, one, out);
-  }
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    out.push_back(nearest_point(sides[i], p));
-    for (std::size_t j = 0; j < i; ++j) add_crossings(sides[i], sides[j], out);
-  }
-  return out;
 }
 
 }  // namespace
@@ -363,84 +250,23 @@ bool Clearing::is_free(geom::Segment s) const {
   return !walk(s, [&](std::uint32_t item, double) { return met_at(item, s) <= 1.0; });
 }
 
-std::vector<Clearing::Arc> Clearing::free_arcs(std::uint32_t round) const {
+std::vector<Arc> Clearing::free_arcs(std::uint32_t round) const {
   const auto [center, radius] = rounds_[round];
-  Blocked blocked;
-  if (radius <= 0.0) {
-    if (!is_free(center)) return {};
-    return {{0.0, kTurn}};
-  }
-  const auto add_disc = [&](geom::Point other, double reach) {
-    const double d = distance(center, other);
-    if (d >= radius + reach || d + reach <= radius) return;
-    if (d + radius <= reach) {
-      blocked.add(0.0, kTurn);
-      return;
-    }
-    const double cosine = (d * d + radius * radius - reach * reach) / (2.0 * d * radius);
-    blocked.add(direction(other - center), std::acos(std::clamp(cosine, -1.0, 1.0)));
-  };
-  const auto add_half_plane = [&](double angle, double far) {  // what lies farther than `far` that way
-    if (far >= radius) return;
-    blocked.add(angle, far <= -radius ? kTurn : std::acos(far / radius));
-  };
-  const auto add_band = [&](const geom::Segment& wall, double width) {
-    const geom::Offset w = wall.b - wall.a;
-    const double l = length(w);
-    if (l <= 0.0) return;
-    const geom::Offset u = w * (1.0 / l);
-    const geom::Offset m = center - wall.a;
-    const double along = dot(m, u);
-    const double aside = cross(u, m);
-    if (along + radius <= 0.0 || along - radius >= l || std::abs(aside) - radius >= width) return;
-    // Where the circle crosses the band's four sides.
-    std::vector<double> cuts;
-    const double base = direction(u);
-    const auto cut = [&](double distance, double angle) {  // a side so far away in that direction
-      if (std::abs(distance) >= radius) return;
-      const double half = std::acos(distance / radius);
-      cuts.push_back(in_turn(angle + half));
-      cuts.push_back(in_turn(angle - half));
-    };
-    cut(-along, base);
-    cut(l - along, base);
-    cut(width - aside, base + std::numbers::pi / 2.0);
-    cut(-width - aside, base + std::numbers::pi / 2.0);
-    const auto is_in = [&](double angle) {
-      const geom::Offset at = m + geom::Offset{radius * std::cos(angle), radius * std::sin(angle)};
-      const double x = dot(at, u);
-      return x > 0.0 && x < l && std::abs(cross(u, at)) < width;
-    };
-    if (cuts.empty()) {
-      if (is_in(0.0)) blocked.add(0.0, kTurn);
-      return;
-    }
-    std::ranges::sort(cuts);
-    for (std::size_t i = 0; i < cuts.size(); ++i) {
-      const double begin = cuts[i];
-      const double end = i + 1 < cuts.size() ? cuts[i + 1] : cuts.front() + kTurn;
-      const double middle = 0.5 * (begin + end);
-      if (is_in(middle)) blocked.add(middle, 0.5 * (end - begin));
-    }
-  };
-  const std::vector<std::uint32_t> near = items_near(center, radius);
-  for (const std::uint32_t item : near) {
+  if (radius <= 0.0) return is_free(center) ? std::vector<Arc>{{0.0, kTurn}} : std::vector<Arc>();
+  OpenArcs open({center, radius});
+  const double width = clearance_ - kTolerance;
+  for (const std::uint32_t item : items_near(center, radius)) {
     if (item < ground_.discs.size()) {
-      if (item != round) add_disc(rounds_[item].center, rounds_[item].radius - kTolerance);
+      if (item != round) open.block({rounds_[item].center, rounds_[item].radius - kTolerance});
       continue;
     }
     const geom::Segment& wall = ground_.walls[item - ground_.discs.size()];
-    const double width = clearance_ - kTolerance;
-    if (wall.a != center) add_disc(wall.a, width);
-    if (wall.b != center) add_disc(wall.b, width);
-    add_band(wall, width);
+    if (wall.a != center) open.block({wall.a, width});
+    if (wall.b != center) open.block({wall.b, width});
+    open.block_band(wall, width);
   }
-  const Bounds& bounds = ground_.bounds;
-  add_half_plane(0.0, bounds.x1 - center.x);
-  add_half_plane(std::numbers::pi / 2.0, bounds.y1 - center.y);
-  add_half_plane(std::numbers::pi, center.x - bounds.x0);
-  add_half_plane(-std::numbers::pi / 2.0, center.y - bounds.y0);
-  return blocked.rest();
+  open.block_outside(ground_.bounds);
+  return open.arcs();
 }
 
 // The nearest one lies on the edge of something that has grown: where that is nearest, or where two meet.

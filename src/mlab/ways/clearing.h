@@ -6,28 +6,10 @@
 #include <vector>
 
 #include "mlab/geom/pose.h"
+#include "mlab/ways/ground.h"
+#include "mlab/ways/open_arcs.h"
 
 namespace mlab::ways {
-
-/// Something round that stands in the way.
-struct Round {
-  geom::Point center;   ///< [m, world]
-  double radius = 0.0;  ///< [m]; 0: a point
-};
-
-/// A rectangle with its sides along the axes, beyond which there is no ground [m, world].
-struct Bounds {
-  double x0 = -1e9, y0 = -1e9, x1 = 1e9, y1 = 1e9;
-
-  bool contains(geom::Point p) const { return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1; }
-};
-
-/// What stands on the ground: discs, and walls without thickness.
-struct Ground {
-  std::vector<Round> discs;
-  std::vector<geom::Segment> walls;
-  Bounds bounds;
-};
 
 /// What is left of a ground for a point that keeps a clearance from everything on it: each disc has grown by
 /// it, and each wall has become a band with round ends.
@@ -54,13 +36,7 @@ class Clearing {
   /// The nearest free place; nothing where none was found near it. A free one is its own.
   std::optional<geom::Point> nearest_free(geom::Point p) const;
 
-  /// A piece of a circle without anything in the way, counter-clockwise from `begin` to `end` [rad];
-  /// 0 <= begin < 2 pi, begin <= end <= begin + 2 pi.
-  struct Arc {
-    double begin = 0.0;
-    double end = 0.0;
-  };
-  /// Those of a round.
+  /// Of a round, where nothing is in the way.
   std::vector<Arc> free_arcs(std::uint32_t round) const;
 
  private:

@@ -79,7 +79,7 @@ TEST(Clearing, FreeArcsAreThoseWithRoom) {
       for (int k = 0; k < 90; ++k) {
         const double angle = (k + 0.3) / 90.0 * 2.0 * std::numbers::pi;
         const geom::Point p = center + geom::Offset{radius * std::cos(angle), radius * std::sin(angle)};
-        const bool is_named = std::ranges::any_of(arcs, [&](const Clearing::Arc& arc) {
+        const bool is_named = std::ranges::any_of(arcs, [&](const Arc& arc) {
           return (angle >= arc.begin && angle <= arc.end) || angle + 2.0 * std::numbers::pi <= arc.end;
         });
         EXPECT_EQ(is_named, clearing.is_free(p)) << round << ", round " << i << " at " << angle;

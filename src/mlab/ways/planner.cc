@@ -33,7 +33,7 @@ struct Planner::Search {
   static constexpr std::uint32_t kGoal = UINT32_MAX;  // in place of a circle
 };
 
-const std::vector<Clearing::Arc>& Planner::arcs(std::uint32_t round) {
+const std::vector<Arc>& Planner::arcs(std::uint32_t round) {
   auto& out = arcs_[round];
   if (!out) out = clearing_.free_arcs(round);
   return *out;
@@ -43,7 +43,7 @@ const std::vector<Clearing::Arc>& Planner::arcs(std::uint32_t round) {
 bool Planner::is_open(std::uint32_t circle, double angle, double by) {
   const double slack = 1e-9 + 2.0 * Clearing::kTolerance / std::max(round(circle).radius, 1e-3);
   const double begin = sense(circle) == Sense::kCounterClockwise ? angle : angle - by;
-  return std::ranges::any_of(arcs(circle / 2), [&](const Clearing::Arc& arc) {
+  return std::ranges::any_of(arcs(circle / 2), [&](const Arc& arc) {
     const double from = in_turn(begin - arc.begin + slack);
     return arc.end - arc.begin >= kTurn || from + by <= arc.end - arc.begin + 2.0 * slack;
   });
@@ -143,10 +143,10 @@ Way Planner::way_of(const Search& search, std::int32_t last) const {
     const auto side = static_cast<double>(sense(circle));
     const double by = turned(begin, steps[i + 1]->piece.from_angle, sense(circle));
     if (by > kTurn - 1e-9 || by * one.radius < 1e-6) continue;
-    const double pieces = std::ceil(by / kCorner);
+    const int pieces = static_cast<int>(std::ceil(by / kCorner));
     const double half = 0.5 * by / pieces;
-    for (double k = 0.0; k < pieces; ++k) {
-      const double angle = begin + side * (2.0 * k + 1.0) * half;
+    for (int k = 0; k < pieces; ++k) {
+      const double angle = begin + side * (2 * k + 1) * half;
       const double far = one.radius / std::cos(half);
       out.corners.push_back(one.center + geom::Offset{far * std::cos(angle), far * std::sin(angle)});
     }

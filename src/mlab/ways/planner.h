@@ -73,7 +73,7 @@ class Planner {
     return circle % 2 == 0 ? Sense::kCounterClockwise : Sense::kClockwise;
   }
   double angle(std::uint32_t circle, geom::Point at) const { return direction(at - round(circle).center); }
-  const std::vector<Clearing::Arc>& arcs(std::uint32_t round);
+  const std::vector<Arc>& arcs(std::uint32_t round);
   bool is_open(std::uint32_t circle, double angle, double by);
   const Circle& known(std::uint32_t circle);
   void begin(Search& search);
@@ -82,7 +82,7 @@ class Planner {
 
   Clearing clearing_;
   std::vector<Circle> circles_;
-  std::vector<std::optional<std::vector<Clearing::Arc>>> arcs_;  // by round
+  std::vector<std::optional<std::vector<Arc>>> arcs_;  // by round
   std::uint32_t pieces_ = 0;
   std::vector<double> best_;  // by piece: of the search that is under way
   std::uint64_t effort_ = 0;
