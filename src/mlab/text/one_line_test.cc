@@ -9,7 +9,7 @@ namespace mlab::text {
 namespace {
 
 SourcePtr mission() {
-  return std::make_shared<const Source>("/home/anna/project/demo.mdl", "x\n  2. MOVETO ATK-AP9\n");
+  return std::make_shared<const Source>("/project/anna/demo.mdl", "x\n  2. MOVETO ATK-AP9\n");
 }
 
 TEST(OneLine, SaysFileLineColumnWhatIsThereAndWhatIsExpected) {

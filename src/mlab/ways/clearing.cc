@@ -292,7 +292,7 @@ std::optional<geom::Point> Clearing::nearest_free(geom::Point p) const {
       if (distance(one, p) <= reach && (!out || distance(one, p) < distance(*out, p)) && is_free(one))
         out = one;
     }
-    const double all = cell_ * std::hypot(columns_, rows_) + distance(p, {x0_, y0_});
+    const double all = cell_ * static_cast<double>(columns_ + rows_) + distance(p, {x0_, y0_});
     if (out || reach > 2.0 * all) return out;
   }
 }

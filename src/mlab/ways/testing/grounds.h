@@ -71,7 +71,7 @@ class GridWays {
         for (int dx = -1; dx <= 1; ++dx) {
           if (x + dx < 0 || y + dy < 0 || x + dx >= count_ || y + dy >= count_) continue;
           const std::size_t next = here + static_cast<std::size_t>(dy * count_ + dx);
-          const double beyond = cost + step_ * std::hypot(dx, dy);
+          const double beyond = cost + step_ * geom::length(geom::Offset{1.0 * dx, 1.0 * dy});
           if (!free_[next] || beyond >= known[next]) continue;
           known[next] = beyond;
           open.emplace(beyond, next);
