@@ -343,7 +343,7 @@ test("what if: another future on the same map, and how far it is from the run", 
   const asked = page.getByRole("region", { name: "What if", exact: true });
   await asked.getByRole("radio", { name: "Order" }).click();
   await asked.getByRole("textbox", { name: "Order, as it is typed" }).fill("UNIT scouts-2 MOVETO PP-Charlie");
-  await asked.getByRole("textbox", { name: "For how long [s]" }).fill("60");
+  await asked.getByRole("textbox", { name: "For how long" }).fill("1:00");
   await asked.getByRole("button", { name: "Compute" }).click();
   await asked.getByText(/They part at/).waitFor();
   await goTo("16");
