@@ -39,6 +39,7 @@ test("a banner that comes or goes moves nothing", async () => {
         return [x, y, width, height].map(Math.round);
       }),
     );
+  await page.getByRole("region", { name: "Time line" }).waitFor();
   const before = await places();
   await console.stop.click();
   await page.getByText("EMERGENCY STOP: all robots stand and take no orders.").waitFor();
