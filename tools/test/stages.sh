@@ -100,7 +100,9 @@ stage_thread() { run_ctest "$build/tsan" -L threads; }
 
 compile_tidy() {
   configure_test
-  ninja -C "$build/test" -j "$jobs" -k 0 tidy
+  local limit=()
+  ((tidy_seconds == 0)) || limit=(--seconds "$tidy_seconds")
+  MLAB_JOBS=$jobs "$root/tools/tidy" -p "$build/test" "${limit[@]}"
 }
 
 stage_install() { bash "$root/tests/install/install_test" "$root" "$build/test"; }
