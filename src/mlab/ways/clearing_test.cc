@@ -40,19 +40,19 @@ TEST(Clearing, APieceIsFreeWhereAllOfItIs) {
     const Ground ground = any_ground(random, 100.0, round / 4, round / 6);
     const double clearance = 0.05 * round;
     const Clearing clearing(ground, clearance);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 50; ++i) {
       const geom::Segment s{{place(random), place(random)}, {place(random), place(random)}};
       double room = 1e9;
-      for (int k = 0; k <= 2000; ++k)
-        room = std::min(room, room_at(ground, s.a + (s.b - s.a) * (k / 2000.0)));
+      for (int k = 0; k <= 500; ++k)
+        room = std::min(room, room_at(ground, s.a + (s.b - s.a) * (k / 500.0)));
       // Between two samples it may be a little less.
-      if (std::abs(room - clearance) < 0.04) continue;
+      if (std::abs(room - clearance) < 0.15) continue;
       EXPECT_EQ(clearing.is_free(s), room > clearance) << round;
       EXPECT_EQ(!clearing.first_hit(s), room > clearance) << round;
       free_ones += room > clearance ? 1 : 0;
     }
   }
-  EXPECT_GT(free_ones, 200);
+  EXPECT_GT(free_ones, 100);
 }
 
 TEST(Clearing, WhatIsMetFirstIsNamed) {

@@ -106,7 +106,7 @@ TEST(Planner, FindsTheShortestWayWhereverThereIsOne) {
   for (int round = 0; round < 120; ++round) {
     const Ground ground = any_ground(random, 100.0, 3 + round / 3, round % 3 == 0 ? round / 2 : 0);
     const double clearance = 0.3 + 0.02 * round;
-    constexpr double kStep = 0.5;
+    constexpr double kStep = 1.0;
     const GridWays grid(ground, clearance, 100.0, kStep);
     const GridWays tight(ground, clearance + kStep, 100.0, kStep);
     const GridWays wide(ground, clearance - kStep, 100.0, kStep);
