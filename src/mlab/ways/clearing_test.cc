@@ -43,8 +43,7 @@ TEST(Clearing, APieceIsFreeWhereAllOfItIs) {
     for (int i = 0; i < 50; ++i) {
       const geom::Segment s{{place(random), place(random)}, {place(random), place(random)}};
       double room = 1e9;
-      for (int k = 0; k <= 500; ++k)
-        room = std::min(room, room_at(ground, s.a + (s.b - s.a) * (k / 500.0)));
+      for (int k = 0; k <= 500; ++k) room = std::min(room, room_at(ground, s.a + (s.b - s.a) * (k / 500.0)));
       // Between two samples it may be a little less.
       if (std::abs(room - clearance) < 0.15) continue;
       EXPECT_EQ(clearing.is_free(s), room > clearance) << round;
