@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "mlab/ways/edges.h"
 #include "mlab/ways/open_arcs.h"
@@ -12,32 +11,15 @@
 namespace mlab::ways {
 namespace {
 
-/// Where a straight piece (0 .. 1) enters a disc; more than 1: it doesn't.
-double enters_disc(geom::Segment s, geom::Point center, double radius) {
-  constexpr double kNever = 2.0;
-  const geom::Offset d = s.b - s.a;
-  const geom::Offset m = s.a - center;
-  const double c = dot(m, m) - radius * radius;
-  if (c < 0.0) return 0.0;
-  const double a = dot(d, d);
-  const double b = dot(m, d);
-  if (a <= 0.0 || b >= 0.0) return kNever;
-  const double root = b * b - a * c;
-  if (root <= 0.0) return kNever;
-  const double t = (-b - std::sqrt(root)) / a;
-  return t <= 1.0 ? t : kNever;
-}
+constexpr double kNotMet = 2.0;  // along a straight piece, which is 0 .. 1
 
-/// The same for the band along a wall, without its round ends.
-double enters_band(geom::Segment s, geom::Segment wall, double width) {
-  constexpr double kNever = 2.0;
-  const geom::Offset w = wall.b - wall.a;
-  const double l = length(w);
-  if (l <= 0.0 || width <= 0.0) return kNever;
-  const geom::Offset u = w * (1.0 / l);
+/// What of a straight piece lies within something: 0 <= from < to <= 1, or nothing of it.
+struct Part {
   double from = 0.0;
   double to = 1.0;
-  const auto clip = [&](double at, double step, double low, double high) {
+
+  /// Of one coordinate, which is `at` first and grows by `step`, what lies between.
+  void keep(double at, double step, double low, double high) {
     if (step == 0.0) {
       if (at <= low || at >= high) to = -1.0;
       return;
@@ -46,12 +28,36 @@ double enters_band(geom::Segment s, geom::Segment wall, double width) {
     const double q = (high - at) / step;
     from = std::max(from, std::min(p, q));
     to = std::min(to, std::max(p, q));
-  };
+  }
+};
+
+/// Where a straight piece enters a disc; kNotMet: it doesn't.
+double enters_disc(geom::Segment s, geom::Point center, double radius) {
+  const geom::Offset d = s.b - s.a;
+  const geom::Offset m = s.a - center;
+  const double c = dot(m, m) - radius * radius;
+  if (c < 0.0) return 0.0;
+  const double a = dot(d, d);
+  const double b = dot(m, d);
+  if (a <= 0.0 || b >= 0.0) return kNotMet;
+  const double root = b * b - a * c;
+  if (root <= 0.0) return kNotMet;
+  const double t = (-b - std::sqrt(root)) / a;
+  return t <= 1.0 ? t : kNotMet;
+}
+
+/// The same for the band along a wall, without its round ends.
+double enters_band(geom::Segment s, geom::Segment wall, double width) {
+  const geom::Offset w = wall.b - wall.a;
+  const double l = length(w);
+  if (l <= 0.0 || width <= 0.0) return kNotMet;
+  const geom::Offset u = w * (1.0 / l);
+  Part part;
   const geom::Offset a = s.a - wall.a;
   const geom::Offset d = s.b - s.a;
-  clip(dot(a, u), dot(d, u), 0.0, l);
-  clip(cross(u, a), cross(u, d), -width, width);
-  return from < to ? from : kNever;
+  part.keep(dot(a, u), dot(d, u), 0.0, l);
+  part.keep(cross(u, a), cross(u, d), -width, width);
+  return part.from < part.to ? part.from : kNotMet;
 }
 
 }  // namespace
@@ -179,7 +185,7 @@ double Clearing::met_at(std::uint32_t item, geom::Segment s) const {
     return enters_disc(s, rounds_[item].center, rounds_[item].radius - kTolerance);
   const geom::Segment& wall = ground_.walls[item - ground_.discs.size()];
   const double width = clearance_ - kTolerance;
-  if (width <= 0.0) return intersects(s, wall) ? 0.5 : 2.0;
+  if (width <= 0.0) return intersects(s, wall) ? 0.5 : kNotMet;
   return std::min(
       {enters_disc(s, wall.a, width), enters_disc(s, wall.b, width), enters_band(s, wall, width)});
 }
@@ -190,23 +196,11 @@ template <class Visit>
 bool Clearing::walk(geom::Segment s, Visit&& visit) const {
   if (items_.empty()) return false;
   const geom::Offset d = s.b - s.a;
-  // Only what lies over the grid.
-  double from = 0.0;
-  double to = 1.0;
-  const auto clip = [&](double at, double step, double low, double high) {
-    if (step == 0.0) {
-      if (at < low || at > high) to = -1.0;
-      return;
-    }
-    const double p = (low - at) / step;
-    const double q = (high - at) / step;
-    from = std::max(from, std::min(p, q));
-    to = std::min(to, std::max(p, q));
-  };
-  clip(s.a.x, d.x, x0_, x0_ + columns_ * cell_);
-  clip(s.a.y, d.y, y0_, y0_ + rows_ * cell_);
-  if (from > to) return false;
-  Cell cell = cell_of(s.a + d * from);
+  Part part;  // that lies over the grid
+  part.keep(s.a.x, d.x, x0_, x0_ + columns_ * cell_);
+  part.keep(s.a.y, d.y, y0_, y0_ + rows_ * cell_);
+  if (part.from > part.to) return false;
+  Cell cell = cell_of(s.a + d * part.from);
   const std::int32_t step_x = d.x > 0.0 ? 1 : -1;
   const std::int32_t step_y = d.y > 0.0 ? 1 : -1;
   const auto edge = [&](std::int32_t index, std::int32_t step, double origin, double at, double along) {
@@ -220,7 +214,7 @@ bool Clearing::walk(geom::Segment s, Visit&& visit) const {
     for (const std::uint32_t item : items(cell)) {
       if (visit(item, most)) return true;
     }
-    if (most >= to) return false;
+    if (most >= part.to) return false;
     if (next_x < next_y)
       cell.x += step_x;
     else

@@ -23,15 +23,14 @@ class Clearing {
   Clearing(const Ground& ground, double clearance);
 
   double clearance() const { return clearance_; }
-  const Ground& ground() const { return ground_; }
   /// What ways go round: the grown discs, and the ends of walls. Not all of them have a free place.
   std::span<const Round> rounds() const { return rounds_; }
 
   bool is_free(geom::Point p) const;
   /// Of the whole piece between two points.
   bool is_free(geom::Segment s) const;
-  /// What a straight piece meets first: index of a disc of the ground, or of a wall behind them; nothing: it
-  /// is free.
+  /// What a straight piece meets first: index of a disc of the ground, or of a wall behind them; nothing: no
+  /// thing is on it. Bounds are none.
   std::optional<std::uint32_t> first_hit(geom::Segment s) const;
   /// The nearest free place; nothing where none was found near it. A free one is its own.
   std::optional<geom::Point> nearest_free(geom::Point p) const;
@@ -49,7 +48,7 @@ class Clearing {
   bool walk(geom::Segment s, Visit&& visit) const;
   void enter_items();
   bool blocks(std::uint32_t item, geom::Point p) const;
-  /// How far along the piece (0 .. 1) it is met; more than 1: it isn't.
+  /// How far along the piece it is met, 0 .. 1; kNotMet: it isn't.
   double met_at(std::uint32_t item, geom::Segment s) const;
   std::vector<std::uint32_t> items_near(geom::Point p, double reach) const;
 

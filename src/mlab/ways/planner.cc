@@ -109,17 +109,19 @@ void Planner::go_on(Search& search, std::int32_t step) {
   }
 }
 
-std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point to) {
+std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point to,
+                                                 std::uint64_t most_effort) {
+  const std::uint64_t effort_before = effort_;
   std::ranges::fill(best_, kNever);
   Search search{from, to, {}, {}};
   begin(search);
-  while (!search.open.empty()) {
+  while (!search.open.empty() && effort_ - effort_before < most_effort) {
     const std::int32_t step = search.open.top().second;
     search.open.pop();
     if (search.steps[static_cast<std::size_t>(step)].piece.to == Search::kGoal) return way_of(search, step);
     go_on(search, step);
   }
-  NoWay out{from};
+  NoWay out{search.open.empty(), from};
   for (const Step& step : search.steps) {
     const geom::Point reached = step.piece.tangent.piece.b;
     if (distance(reached, to) < distance(out.nearest, to)) out.nearest = reached;

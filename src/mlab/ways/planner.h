@@ -22,28 +22,31 @@ struct Way {
 /// by it, which are found as the search comes to them and kept for the next one. A shortest way among discs
 /// consists of such tangents and of arcs, so there is one wherever one can be. Belongs to one thread at a
 /// time; what it finds does not depend on what it was asked before.
-/// @source  Y.-H. Liu, S. Arimoto, *Path Planning Using a Tangent Graph for Mobile Robots Among Polygonal and
-/// Curved
-///          Obstacles*, International Journal of Robotics Research 11(4), 1992; A*: P. Hart, N. Nilsson,
-///          B. Raphael, 1968
+/// @source  Y.-H. Liu, S. Arimoto, International Journal of Robotics Research 11(4), 1992 (tangent graphs);
+///          P. Hart, N. Nilsson, B. Raphael, 1968 (A*)
 class Planner {
  public:
   /// @param ground  outlives this
   Planner(const Ground& ground, double clearance)
       : clearing_(ground, clearance),
         circles_(2 * clearing_.rounds().size()),
-        arcs_(clearing_.rounds().size()) {}
+        arcs_(clearing_.rounds().size()),
+        effort_(circles_.size()) {}
 
   const Clearing& clearing() const { return clearing_; }
 
-  /// There is no way: the place that can be reached and is nearest to where it should lead, among those where
-  /// ways turn [m, world].
+  /// No way was found.
   struct NoWay {
-    geom::Point nearest;
+    bool is_certain = false;  ///< there is none; else the search was given up
+    geom::Point
+        nearest;  ///< to where it should lead, of the places that were reached where ways turn [m, world]
   };
-  /// @param from, to  free places of the clearing
-  std::expected<Way, NoWay> find(geom::Point from, geom::Point to);
-  /// Tangents that were looked at, by all searches together: what most of their time goes into.
+  static constexpr std::uint64_t kNoLimit = UINT64_MAX;
+  /// @param from, to     free places of the clearing
+  /// @param most_effort  after so much more the search is given up
+  std::expected<Way, NoWay> find(geom::Point from, geom::Point to, std::uint64_t most_effort = kNoLimit);
+  /// Tangents that were looked at, by all searches together, and circles that were laid out: what most of the
+  /// time goes into.
   std::uint64_t effort() const { return effort_; }
 
  private:
@@ -85,7 +88,7 @@ class Planner {
   std::vector<std::optional<std::vector<Arc>>> arcs_;  // by round
   std::uint32_t pieces_ = 0;
   std::vector<double> best_;  // by piece: of the search that is under way
-  std::uint64_t effort_ = 0;
+  std::uint64_t effort_;
 };
 
 }  // namespace mlab::ways

@@ -1,8 +1,11 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -32,7 +35,7 @@ std::string numbered(const std::function<std::string(int)>& piece, std::size_t s
 }
 
 // All that can be asked of a text.
-double seconds_for(const std::string& text) {
+double seconds_once(const std::string& text) {
   return base::processor_seconds([&] {
     text::Diagnostics sink;
     const auto source = std::make_shared<const text::Source>("test.mdl", text);
@@ -44,6 +47,13 @@ double seconds_for(const std::string& text) {
     const Tree tree = parse(source, again);
     if (!again.has_errors()) static_cast<void>(print(tree));
   });
+}
+
+// Where others share the processor, the best of a few.
+double seconds_for(const std::string& text) {
+  double best = seconds_once(text);
+  for (int i = 0; i < 4 && best >= kPatience; ++i) best = std::min(best, seconds_once(text));
+  return best;
 }
 
 TEST(MdlLimits, AMegabyteOfAnyBytesIsAnsweredSoon) {
@@ -189,6 +199,25 @@ TEST(MdlLimits, TypedLinesOfAnyBytesGetAnAnswer) {
     text::Diagnostics sink;
     const bool is_understood = parse_immediate(line, *mission, sink).has_value();
     EXPECT_EQ(is_understood, !sink.has_errors());
+  }
+}
+
+// A room that nobody gets into, behind a field of obstacles, and one order after the other to go there: every
+// search has to look at all of the field.
+TEST(MdlLimits, WaysThatThereAreNoneOfAreLookedForForALimitedTime) {
+  for (const int spacing : {9, 1'000'000'000}) {
+    std::string text = "MISSION-AREA 500 500\nSP a 1 1\nSP b 400 400\n";
+    for (int i = 0; i < 1'900; ++i)
+      text += "OBSTACLE " + std::to_string(10 + i % 44 * spacing) + " " +
+              std::to_string(10 + i / 44 * spacing) + " 2\n";
+    for (int i = 0; i < 60; ++i) {  // discs all round b, with gaps of 0.1 m
+      const double angle = i * 2.0 * std::numbers::pi / 60.0;
+      text += "OBSTACLE " + std::to_string(400.0 + 40.0 * std::cos(angle)) + " " +
+              std::to_string(400.0 + 40.0 * std::sin(angle)) + " 2.0435\n";
+    }
+    text += "UNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START a\n";
+    for (int i = 1; i < 5'000; ++i) text += std::to_string(i) + ". UNIT u MOVETO b\n";
+    EXPECT_LT(seconds_for(text), 3.0 * kPatience) << spacing;
   }
 }
 

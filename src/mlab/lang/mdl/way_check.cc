@@ -1,6 +1,6 @@
 #include "mlab/lang/mdl/way_check.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,12 +13,18 @@
 namespace mlab::mdl {
 namespace {
 
-// More on a map is left alone; the search looks at all of them from each that it comes to.
-constexpr std::size_t kMostThings = 5'000;
+// Maps with more discs or pieces of walls are left alone.
+constexpr std::size_t kMostThings = 2'000;
 // Tangents looked at over the whole mission: some tenths of a second.
 constexpr std::uint64_t kMostEffort = 4'000'000;
+// What lies farther out is no place of a robot [m].
+constexpr double kFarthest = 1e8;
 // Of a body that is only there to find out whether there is a gap at all [m].
 constexpr double kThin = 1e-3;
+
+bool is_usable(geom::Point p) {
+  return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest;
+}
 
 }  // namespace
 
@@ -27,12 +33,15 @@ WayCheck::WayCheck(const mission::Mission& mission, text::Diagnostics& diagnosti
   const overlay::Area area = mission.overlay.mission_area();
   ground_.bounds = {0.0, 0.0, area.width, area.height};
   for (const overlay::ObstacleDisc& one : mission.overlay.obstacles) {
+    if (!is_usable(one.center) || !(one.radius <= kFarthest)) continue;
     ground_.discs.push_back({one.center, one.radius});
+    discs_.push_back(&one);
     if (ground_.discs.size() > kMostThings) return;
   }
   for (const overlay::ControlMeasure& measure : mission.overlay.measures) {
     if (overlay::info(measure.kind).substance != overlay::Substance::kSolid) continue;
     for (std::size_t i = 0; i + 1 < measure.points.size(); ++i) {
+      if (!is_usable(measure.points[i]) || !is_usable(measure.points[i + 1])) continue;
       ground_.walls.push_back({measure.points[i], measure.points[i + 1]});
       measures_.push_back(&measure);
       if (ground_.walls.size() > kMostThings) return;
@@ -46,21 +55,33 @@ ways::Planner& WayCheck::planner(double clearance) {
   return *out;
 }
 
-/// Nothing: there is a way, or there is nothing that one could begin or end at.
+bool WayCheck::has_effort_left() const {
+  return effort_ < kMostEffort;
+}
+
+/// Nothing: there is a way, or nothing that one could begin or end at, or it would take too long to know.
 std::optional<ways::Planner::NoWay> WayCheck::no_way(ways::Planner& planner, geom::Point from,
                                                      geom::Point goal, double success) {
   const ways::Clearing& clearing = planner.clearing();
   const auto begin = clearing.nearest_free(from);
   const auto end = clearing.nearest_free(goal);
   if (!begin || !end) return std::nullopt;
-  const auto way = planner.find(*begin, *end);
-  if (way) return std::nullopt;
+  const auto find = [&](geom::Point to) {
+    const std::uint64_t before = planner.effort();
+    auto out = planner.find(*begin, to, kMostEffort - std::min(effort_, kMostEffort));
+    effort_ += planner.effort() - before;
+    return out;
+  };
+  const auto way = find(*end);
+  if (way || !way.error().is_certain) return std::nullopt;
   // Somewhere else it may be near enough.
   constexpr int kSides = 16;
   for (int i = 0; i < kSides; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kSides;
     const geom::Point beside = goal + geom::Offset{std::cos(angle), std::sin(angle)} * (0.95 * success);
-    if (clearing.is_free(beside) && planner.find(*begin, beside)) return std::nullopt;
+    if (!clearing.is_free(beside)) continue;
+    const auto other = find(beside);
+    if (other || !other.error().is_certain) return std::nullopt;
   }
   return way.error();
 }
@@ -71,9 +92,7 @@ bool WayCheck::check(const mission::UnitCommand& command, geom::Point from, doub
   if (ground_.discs.empty() && ground_.walls.empty()) return true;
   if (!ground_.bounds.contains(from) || !ground_.bounds.contains(goal)) return true;
   if (distance(from, goal) <= success || !(radius > kThin)) return true;
-  std::uint64_t effort = 0;
-  for (const auto& [clearance, one] : planners_) effort += one->effort();
-  if (effort > kMostEffort) return true;
+  if (!has_effort_left()) return true;
   const auto none = no_way(planner(radius), from, goal, success);
   if (none) warn(command, from, radius, success, none->nearest);
   return !none;
@@ -81,7 +100,7 @@ bool WayCheck::check(const mission::UnitCommand& command, geom::Point from, doub
 
 void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const {
   if (thing < ground_.discs.size()) {
-    const text::Place& place = mission_.overlay.obstacles[thing].place;
+    const text::Place& place = discs_[thing]->place;
     if (place.source) warning.notes.push_back({"this obstacle is in the way", place});
     return;
   }
@@ -99,14 +118,18 @@ void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, doubl
   if (!no_way(planner(kThin), from, goal, success)) {
     double passes = kThin;
     double stuck = radius;
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 10 && has_effort_left(); ++i) {
       const double half = 0.5 * (passes + stuck);
       ways::Planner tried(ground_, half);
+      effort_ += tried.effort();
       (no_way(tried, from, goal, success) ? stuck : passes) = half;
     }
-    diagnostics_.warning("no-way", command.goal_place,
-                         fmt::format("{}: the widest gap is {:.2f} m wide, and the body {:g} m", where,
-                                     2.0 * passes, 2.0 * radius));
+    diagnostics_.warning(
+        "no-way", command.goal_place,
+        has_effort_left()
+            ? fmt::format("{}: the widest gap is {:.2f} m wide, and the body {:g} m", where, 2.0 * passes,
+                          2.0 * radius)
+            : fmt::format("{}: all gaps are narrower than the body of {:g} m", where, 2.0 * radius));
     return;
   }
   auto& warning =

@@ -30,6 +30,7 @@ class WayCheck {
 
  private:
   ways::Planner& planner(double clearance);
+  bool has_effort_left() const;
   std::optional<ways::Planner::NoWay> no_way(ways::Planner& planner, geom::Point from, geom::Point goal,
                                              double success);
   void warn(const mission::UnitCommand& command, geom::Point from, double radius, double success,
@@ -39,8 +40,10 @@ class WayCheck {
   const mission::Mission& mission_;
   text::Diagnostics& diagnostics_;
   ways::Ground ground_;
+  std::vector<const overlay::ObstacleDisc*> discs_;            // by disc of the ground
   std::vector<const overlay::ControlMeasure*> measures_;       // by wall of the ground: of what it is a piece
   std::map<double, std::unique_ptr<ways::Planner>> planners_;  // by clearance
+  std::uint64_t effort_ = 0;                                   // so far, as Planner::effort
 };
 
 }  // namespace mlab::mdl
