@@ -21,9 +21,8 @@ inline constexpr bool kIsSlowBuild = false;
 #endif
 #undef MLAB_HAS_FEATURE
 
-/// How much longer work may take than on a machine of its own: in a slow build, or where others share its
-/// processors and memory is slow to come. What is not linear takes longer than that.
-inline constexpr double kSlowness = kIsSlowBuild ? 20.0 : 2.5;
+/// How much longer work may take in this build than in the product.
+inline constexpr double kSlowness = kIsSlowBuild ? 20.0 : 1.0;
 
 /// The length of a text that tests of speed call a megabyte. A slow build, which looks for other mistakes,
 /// reads a sixteenth of it.
