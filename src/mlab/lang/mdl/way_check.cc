@@ -17,14 +17,8 @@ namespace {
 constexpr std::size_t kMostThings = 2'000;
 // Tangents looked at over the whole mission: some tenths of a second.
 constexpr std::uint64_t kMostEffort = 4'000'000;
-// What lies farther out is no place of a robot [m].
-constexpr double kFarthest = 1e8;
 // Of a body that is only there to find out whether there is a gap at all [m].
 constexpr double kThin = 1e-3;
-
-bool is_usable(geom::Point p) {
-  return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest;
-}
 
 }  // namespace
 
@@ -33,15 +27,12 @@ WayCheck::WayCheck(const mission::Mission& mission, text::Diagnostics& diagnosti
   const overlay::Area area = mission.overlay.mission_area();
   ground_.bounds = {0.0, 0.0, area.width, area.height};
   for (const overlay::ObstacleDisc& one : mission.overlay.obstacles) {
-    if (!is_usable(one.center) || !(one.radius <= kFarthest)) continue;
     ground_.discs.push_back({one.center, one.radius});
-    discs_.push_back(&one);
     if (ground_.discs.size() > kMostThings) return;
   }
   for (const overlay::ControlMeasure& measure : mission.overlay.measures) {
     if (overlay::info(measure.kind).substance != overlay::Substance::kSolid) continue;
     for (std::size_t i = 0; i + 1 < measure.points.size(); ++i) {
-      if (!is_usable(measure.points[i]) || !is_usable(measure.points[i + 1])) continue;
       ground_.walls.push_back({measure.points[i], measure.points[i + 1]});
       measures_.push_back(&measure);
       if (ground_.walls.size() > kMostThings) return;
@@ -100,7 +91,7 @@ bool WayCheck::check(const mission::UnitCommand& command, geom::Point from, doub
 
 void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const {
   if (thing < ground_.discs.size()) {
-    const text::Place& place = discs_[thing]->place;
+    const text::Place& place = mission_.overlay.obstacles[thing].place;
     if (place.source) warning.notes.push_back({"this obstacle is in the way", place});
     return;
   }

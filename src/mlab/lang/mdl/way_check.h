@@ -40,7 +40,6 @@ class WayCheck {
   const mission::Mission& mission_;
   text::Diagnostics& diagnostics_;
   ways::Ground ground_;
-  std::vector<const overlay::ObstacleDisc*> discs_;            // by disc of the ground
   std::vector<const overlay::ControlMeasure*> measures_;       // by wall of the ground: of what it is a piece
   std::map<double, std::unique_ptr<ways::Planner>> planners_;  // by clearance
   std::uint64_t effort_ = 0;                                   // so far, as Planner::effort
