@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <iterator>
 #include <map>
-#include <numbers>
 #include <string>
 #include <tuple>
 
+#include "mlab/overlay/barriers.h"
 #include "mlab/percept/object_colors.h"
 
 namespace mlab::sim {
@@ -35,32 +34,6 @@ ObjectStyle style_of(overlay::ObjectStyle style) {
   return ObjectStyle::kFixed;
 }
 
-void add_walls(World& world, const std::vector<geom::Point>& points, bool is_closed, std::uint32_t group) {
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    world.walls.push_back({{points[i], points[i + 1]}, group});
-  if (is_closed && points.size() > 2) world.walls.push_back({{points.back(), points.front()}, group});
-}
-
-// The edge of an area: through the corners of the measure, or around its only point.
-std::vector<Wall> edge_of(const overlay::ControlMeasure& measure, std::uint32_t group) {
-  constexpr int kCornersOfCircle = 24;
-  std::vector<geom::Point> corners = measure.points;
-  if (corners.size() == 1) {
-    // Around the circle, not inside of it.
-    const double radius = measure.size / 2.0 / std::cos(std::numbers::pi / kCornersOfCircle);
-    const geom::Point center = corners.front();
-    corners.clear();
-    for (int i = 0; i < kCornersOfCircle; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kCornersOfCircle;
-      corners.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
-    }
-  }
-  std::vector<Wall> out;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    out.push_back({{corners[i], corners[(i + 1) % corners.size()]}, group, false});
-  return out;
-}
-
 void add_to_building(Building& building, const overlay::ControlMeasure& measure) {
   const std::vector<geom::Point>& points = measure.points;
   const bool is_sane = std::ranges::all_of(points, [](geom::Point p) { return is_usable(p); });
@@ -83,20 +56,9 @@ World world_of(const overlay::Overlay& overlay) {
   world.area_high = {area.width, area.height};
   for (const overlay::ObstacleDisc& disc : overlay.obstacles)
     world.discs.push_back({disc.center, disc.radius});
-  std::uint32_t group = 0;
-  std::vector<Wall> avoided;
-  for (const overlay::ControlMeasure& measure : overlay.measures) {
-    const overlay::Substance substance = overlay::info(measure.kind).substance;
-    if (substance == overlay::Substance::kSolid) {
-      add_walls(world, measure.points, false, group++);
-    } else if (substance == overlay::Substance::kAvoided) {
-      std::ranges::copy(edge_of(measure, group++), std::back_inserter(avoided));
-    } else if (zone_kind(measure) == overlay::ZoneKind::kWeather) {
-      add_walls(world, measure.points, true, group++);
-    }
-    add_to_building(world.building, measure);
-  }
-  world.walls.insert(world.walls.end(), avoided.begin(), avoided.end());
+  for (const auto& [segment, group, is_solid] : overlay::barriers(overlay))
+    world.walls.push_back({segment, group, is_solid});
+  for (const overlay::ControlMeasure& measure : overlay.measures) add_to_building(world.building, measure);
   std::uint32_t id = 0;
   for (const overlay::WorldObject& object : overlay.objects) {
     Object& added = world.objects.emplace_back();

@@ -1,0 +1,56 @@
+#include "mlab/overlay/barriers.h"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "mlab/overlay/measure_kinds.h"
+
+namespace mlab::overlay {
+namespace {
+
+void add_line(std::vector<Barrier>& out, const std::vector<geom::Point>& points, bool is_closed,
+              std::uint32_t group) {
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) out.push_back({{points[i], points[i + 1]}, group});
+  if (is_closed && points.size() > 2) out.push_back({{points.back(), points.front()}, group});
+}
+
+// The edge of an area: through the corners of the measure, or around its only point.
+void add_edge(std::vector<Barrier>& out, const ControlMeasure& measure, std::uint32_t group) {
+  constexpr int kCornersOfCircle = 24;
+  std::vector<geom::Point> corners = measure.points;
+  if (corners.size() == 1) {
+    // Around the circle, not inside of it.
+    const double radius = measure.size / 2.0 / std::cos(std::numbers::pi / kCornersOfCircle);
+    const geom::Point center = corners.front();
+    corners.clear();
+    for (int i = 0; i < kCornersOfCircle; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kCornersOfCircle;
+      corners.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
+    }
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    out.push_back({{corners[i], corners[(i + 1) % corners.size()]}, group, false});
+}
+
+}  // namespace
+
+std::vector<Barrier> barriers(const Overlay& overlay) {
+  std::vector<Barrier> out;
+  std::vector<Barrier> edges;
+  std::uint32_t group = 0;
+  for (const ControlMeasure& measure : overlay.measures) {
+    const Substance substance = info(measure.kind).substance;
+    if (substance == Substance::kSolid) {
+      add_line(out, measure.points, false, group++);
+    } else if (substance == Substance::kAvoided) {
+      add_edge(edges, measure, group++);
+    } else if (zone_kind(measure) == ZoneKind::kWeather) {
+      add_line(out, measure.points, true, group++);
+    }
+  }
+  out.insert(out.end(), edges.begin(), edges.end());
+  return out;
+}
+
+}  // namespace mlab::overlay
