@@ -52,7 +52,7 @@ set(agent_folder lib/missionlab-agent)
 set(for_agent COMPONENT agent EXCLUDE_FROM_ALL)
 install(TARGETS mlab-agent mlab-robots RUNTIME DESTINATION ${agent_folder}/bin ${for_agent})
 # What C++ that missions bring may include.
-foreach(module base flow geom percept schema)
+foreach(module base flow geom percept schema ways)
   install(DIRECTORY src/mlab/${module} DESTINATION ${agent_folder}/include/mlab ${for_agent} FILES_MATCHING PATTERN "*.h" PATTERN testing EXCLUDE)
 endforeach()
 install(DIRECTORY library/include/ DESTINATION ${agent_folder}/include ${for_agent})

@@ -191,6 +191,15 @@ void set(flow::BehaviorProbe& p, const Input& input, T value) {
   p.set<T>(input.name, value);
 }
 
+ways::PlannedWay any_way(AnyValue& any) {
+  ways::PlannedWay out;
+  out.count = static_cast<std::uint16_t>(any.below(4));
+  for (std::uint16_t i = 0; i < out.count; ++i) out.corners[i] = any.point();
+  out.version = static_cast<std::uint16_t>(any.below(3));
+  out.clearance = std::abs(any.number());
+  return out;
+}
+
 void set_any(flow::BehaviorProbe& p, const Input& input, AnyValue& any) {
   const std::string_view type = input.type->name;
   if (type == "bool") set<bool>(p, input, any.yes());
@@ -204,6 +213,7 @@ void set_any(flow::BehaviorProbe& p, const Input& input, AnyValue& any) {
   if (type == "Robots") set<flow::Robots>(p, input, all<flow::Robots>(p.percepts.robots.size()));
   if (type == "Objects") set<flow::Objects>(p, input, all<flow::Objects>(p.percepts.objects.size()));
   if (type == "Ranges") set<flow::Ranges>(p, input, {static_cast<std::uint16_t>(p.percepts.ranges.size())});
+  if (type == "Way") set<ways::PlannedWay>(p, input, any_way(any));
   if (type == "Formation") set<percept::Formation>(p, input, static_cast<percept::Formation>(any.below(10)));
   if (type == "ObjectClasses") set<flow::ObjectClasses>(p, input, {any.below(2048)});
   if (type == "FormationReference")

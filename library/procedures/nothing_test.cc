@@ -22,6 +22,7 @@ TEST(Nothing, HoldsNothing) {
   EXPECT_EQ(value_of<int>("ZeroCount"), 0);
   EXPECT_EQ(value_of<geom::Point>("ZeroPoint"), geom::Point());
   EXPECT_EQ(value_of<geom::Pose>("ZeroPose"), geom::Pose());
+  EXPECT_EQ(value_of<ways::PlannedWay>("NoWay").count, 0);
   EXPECT_EQ(value_of<percept::Task>("NoTask"), percept::Task());
   EXPECT_EQ(value_of<percept::Formation>("NoFormation"), percept::Formation());
   EXPECT_EQ(value_of<percept::FormationReference>("NoFormationReference"), percept::FormationReference());

@@ -41,6 +41,7 @@ const kValueTypes: readonly ValueType[] = [
   { name: "Ranges", flow: "percept", isSensed: true },
   { name: "Vector", flow: "movement", isForParameters: true, isSensed: true, format: "ahead, left" },
   { name: "Point", flow: "percept", isForParameters: true, isSensed: true, format: "x, y" },
+  { name: "Way", flow: "percept" },
   { name: "bool", flow: "flag", isSensed: true },
   { name: "double", flow: "number", isSensed: true },
   { name: "int", flow: "number", isWhole: true },

@@ -72,8 +72,7 @@ Fleet::Fleet(const mission::Mission& mission, const std::vector<robot::RobotProg
             [](const FleetRobot& a, const FleetRobot& b) { return a.id < b.id; });
   now_.poses.resize(now_.robots.size());
   bodies_.resize(now_.robots.size(), binding::kNoBody);
-  form_teams(mission);
-  exchange_failsafes(mission);
+  adopt(mission);
 }
 
 /// A team is the outermost unit that a robot belongs to; a robot of no unit is a team of its own.
@@ -340,6 +339,7 @@ void Fleet::run_programs(double dt) {
                          });
   for (const auto& runner : runners_) runner->ask();
   for (const auto& runner : runners_) runner->wait(meanwhile_);
+  add_found();
   if (witness_ != nullptr) witness_->note_answered(now_.robots);
 }
 
@@ -430,11 +430,43 @@ std::optional<std::string> Fleet::release(base::RobotId id, std::string_view por
 percept::Percepts Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& pose,
                                      const percept::Needs& needs, double dt) const {
   percept::Percepts out = binding_.view().sense_at(robot.body, pose, needs);
-  add_told(robot, dt, out);
+  add_told(robot, needs, dt, out);
   return out;
 }
 
-void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const {
+const TeamGround& Fleet::ground_of(const FleetRobot& robot) const {
+  const auto own = now_.grounds.find(robot.team);
+  return own == now_.grounds.end() ? *now_.map : *own->second;
+}
+
+void Fleet::note_found(std::uint32_t robot, const percept::Percepts& percepts, Worker& worker) const {
+  const TeamGround& ground = ground_of(now_.robots[robot]);
+  for (const percept::Obstacle& one : percepts.obstacles) {
+    const geom::Point place = percepts.pose.point_at(one.center);
+    if (!ground.knows(place)) worker.found.push_back({robot, {place, one.radius}});
+  }
+}
+
+void Fleet::add_found() {
+  std::vector<std::pair<std::uint32_t, ways::Round>> all;
+  for (Worker& worker : workers_) {
+    all.insert(all.end(), worker.found.begin(), worker.found.end());
+    worker.found.clear();
+  }
+  if (all.empty()) return;
+  // Those of a robot are together and in order, whichever thread found them.
+  std::ranges::stable_sort(all, {}, [](const auto& found) { return found.first; });
+  std::map<std::uint32_t, std::vector<ways::Round>> by_team;
+  for (const auto& [robot, thing] : all) by_team[now_.robots[robot].team].push_back(thing);
+  for (const auto& [team, things] : by_team) {
+    const auto own = now_.grounds.find(team);
+    const TeamGround& before = own == now_.grounds.end() ? *now_.map : *own->second;
+    if (auto after = before.with(things)) now_.grounds[team] = std::move(after);
+  }
+}
+
+void Fleet::add_told(const FleetRobot& robot, const percept::Needs& needs, double dt,
+                     percept::Percepts& out) const {
   out.cycle_duration = dt;
   if (robot.group != FleetRobot::kNoGroup) {
     out.order = now_.groups[robot.group].order;
@@ -448,6 +480,7 @@ void Fleet::add_told(const FleetRobot& robot, double dt, percept::Percepts& out)
   out.notifications = robot.notifications;
   out.shared_places = now_.messages.places();
   out.claims = now_.messages.claims(robot.team);
+  if (needs.has(percept::Sensor::kGround)) out.ground = ground_of(robot).view();
 }
 
 // In pieces that stay in the cache: senses first, then programs; neighbours that are run at the same place
@@ -476,7 +509,9 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
   for (std::size_t i = 0; i < count; ++i) {
     FleetRobot& robot = now_.robots[worker.robots[i]];
     if (robot.failsafes != 0) note_seen(worker.robots[i], worker.percepts[i]);
-    add_told(robot, dt, worker.percepts[i]);
+    add_told(robot, worker.needs[i], dt, worker.percepts[i]);
+    if (worker.needs[i].has(percept::Sensor::kGround))
+      note_found(worker.robots[i], worker.percepts[i], worker);
     worker.turns[i] = {robot.member, &worker.percepts[i], &robot.action, &robot.fault, &robot.failure};
   }
   for (std::size_t first = 0, last = 0; first < count; first = last) {

@@ -174,6 +174,7 @@ class Fleet {
     std::array<percept::Percepts, kRobotsAtOnce> percepts;
     std::array<robot::ProgramRunner::Turn, kRobotsAtOnce> turns;
     std::array<binding::Sensing, kRobotsAtOnce> senses;
+    std::vector<std::pair<std::uint32_t, ways::Round>> found;  // on the ground, and new; by robot's index
   };
   /// One whose program runs now. @errors  a sentence
   std::expected<FleetRobot*, std::string> running(base::RobotId id);
@@ -183,7 +184,10 @@ class Fleet {
   FleetRobot make_robot(const mission::Mission& mission, const mission::Robot& declared,
                         const std::vector<robot::RobotProgram>& programs,
                         const std::vector<binding::BodySpec>& bodies);
+  /// What the mission says besides of its robots: teams, failsafes, the map.
+  void adopt(const mission::Mission& mission);
   void form_teams(const mission::Mission& mission);
+  void exchange_ground(const mission::Mission& mission);
   void note_calls(const FleetRobot& robot);
   void leave_groups(std::span<const std::uint32_t> members);
   /// @errors  as Fleet::start
@@ -202,7 +206,12 @@ class Fleet {
   /// @return  false: it has failed at once, and why stands in the robot
   bool start_program(FleetRobot& robot);
   /// All that is not sensed: orders, the unit, what people and robots say.
-  void add_told(const FleetRobot& robot, double dt, percept::Percepts& out) const;
+  void add_told(const FleetRobot& robot, const percept::Needs& needs, double dt,
+                percept::Percepts& out) const;
+  const TeamGround& ground_of(const FleetRobot& robot) const;
+  void note_found(std::uint32_t robot, const percept::Percepts& percepts, Worker& worker) const;
+  /// Teams remember what their robots found.
+  void add_found();
   void run_programs(double dt);
   void run_piece(std::size_t begin, std::size_t end, double dt, int worker);
   void collect(FleetRobot& robot, double dt);

@@ -106,8 +106,21 @@ void Fleet::edit(const mission::Mission& mission, const std::vector<robot::Robot
   for (const FleetRobot& robot : now_.robots) bodies_.push_back(robot.body);
   now_.poses.assign(now_.robots.size(), {});
   update_poses();
+  adopt(mission);
+}
+
+void Fleet::adopt(const mission::Mission& mission) {
   form_teams(mission);
   exchange_failsafes(mission);
+  exchange_ground(mission);
+}
+
+// On another map nobody knows what was sensed on the one before.
+void Fleet::exchange_ground(const mission::Mission& mission) {
+  auto map = std::make_shared<const TeamGround>(mission.overlay);
+  if (now_.map && now_.map->view().revision == map->view().revision) return;
+  now_.map = std::move(map);
+  now_.grounds.clear();
 }
 
 // Where the table is another one nothing has happened yet.

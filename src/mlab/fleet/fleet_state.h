@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "mlab/fleet/failsafes.h"
 #include "mlab/fleet/fleet_robot.h"
 #include "mlab/fleet/group.h"
+#include "mlab/fleet/known_ground.h"
 #include "mlab/fleet/messages.h"
 #include "mlab/geom/pose.h"
 #include "mlab/overlay/overlay.h"
@@ -30,9 +32,11 @@ struct FleetState {
   std::vector<geom::Pose> poses;   ///< likewise, at the start of the cycle
   Messages messages;
   std::shared_ptr<const Failsafes> failsafes = std::make_shared<const Failsafes>();
-  std::vector<SeenByFailsafes> seen;  ///< by index of `robots`, where there are failsafes
-  overlay::Area area;                 ///< of the mission
-  std::vector<Group> groups;          ///< slots are used again
+  std::vector<SeenByFailsafes> seen;      ///< by index of `robots`, where there are failsafes
+  overlay::Area area;                     ///< of the mission
+  std::shared_ptr<const TeamGround> map;  ///< what teams know of the ground that have sensed nothing besides
+  std::map<std::uint32_t, std::shared_ptr<const TeamGround>> grounds;  ///< by team: what the others know
+  std::vector<Group> groups;                                           ///< slots are used again
   std::vector<std::uint32_t> free_groups;
   std::vector<RobotCall> calls;
   std::vector<base::RobotId> new_faults;

@@ -1,5 +1,6 @@
 #include "mlab/flow/port_types.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -326,6 +327,24 @@ constexpr Form form(Of<FormationReference> /*type*/) {
 }
 constexpr Form form(Of<Task> /*type*/) {
   return {.parse = parse_choice<Task, kTasks>, .print = print_choice<Task, kTasks>, .words = kTasks};
+}
+constexpr Form form(Of<ways::PlannedWay> /*type*/) {
+  return {nullptr,
+          [](const void* v) {
+            const auto& way = as<ways::PlannedWay>(v);
+            if (way.count == 0) return std::string("none");
+            std::string out;
+            for (const geom::Point corner : way.points())
+              out += fmt::format("{}{{{}, {}}}", out.empty() ? "" : " ", corner.x, corner.y);
+            constexpr std::array<std::string_view, 5> kEnds = {"", "", ", beside the goal",
+                                                               ", no way leads farther", ", and farther"};
+            const auto end = static_cast<std::size_t>(way.end);
+            return out + std::string(end < kEnds.size() ? kEnds[end] : "");
+          },
+          [](const void* v) {
+            return std::ranges::all_of(as<ways::PlannedWay>(v).points(),
+                                       [](geom::Point corner) { return std::isfinite(corner.x + corner.y); });
+          }};
 }
 constexpr Form form(Of<Text> /*type*/) {
   return {.parse = parse_text, .print = [](const void* v) { return std::string(as<Text>(v).view()); }};

@@ -15,6 +15,7 @@
 #include "mlab/geom/vector.h"
 #include "mlab/percept/formation.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/ways/planned_way.h"
 
 namespace mlab::flow {
 
@@ -46,7 +47,7 @@ struct Text {
 /// How values of the types of `kValueTypes` are kept, by the numbers of ValueType.
 using ValueTypes = std::tuple<bool, int, double, geom::Vector, geom::Point, geom::Pose, Obstacles, Robots,
                               Objects, percept::ObjectReading, Ranges, ObjectClasses, percept::Formation,
-                              percept::FormationReference, percept::Task, Text>;
+                              percept::FormationReference, percept::Task, Text, ways::PlannedWay>;
 static_assert(std::tuple_size_v<ValueTypes> == kValueTypes.size());
 
 const TypeInfo& type_info(ValueType type);

@@ -26,7 +26,8 @@ enum class ValueType : std::uint8_t {
   kFormation,
   kFormationReference,
   kTask,
-  kText
+  kText,
+  kWay
 };
 
 /// All that is to be known of a type but how its values are kept (`ValueTypes` in port_types.h) and read.
@@ -81,6 +82,10 @@ inline constexpr std::array kValueTypes = {
     ValueTypeInfo{ValueType::kPoint, "Point", TypeKind::kPoint, "Point", "", "percept", kForParameters,
                   kSensed, "x, y", "ZeroPoint", "it is always the origin", "",
                   "place in the world: x east, y north [m]"},
+    ValueTypeInfo{ValueType::kWay, "Way", TypeKind::kOther, "PlannedWay", "", "percept", !kForParameters,
+                  !kSensed, "", "NoWay", "there is none",
+                  "PlanWay(from = GetOrderGoal(), goal = GetOrderGoal())",
+                  "a planned way: its corners in the world, and the clearance that it keeps [m]"},
     ValueTypeInfo{ValueType::kBool, "bool", TypeKind::kBool, "bool", "boolean", "flag", !kForParameters,
                   kSensed, "", "Constant", "it is never true", "true", "`true`, `false`"},
     ValueTypeInfo{ValueType::kDouble, "double", TypeKind::kReal, "double", "float", "number", !kForParameters,

@@ -19,6 +19,11 @@ struct Offset {
 inline double length(Offset o) {
   return std::sqrt(o.x * o.x + o.y * o.y);
 }
+/// Of length 1 in the same direction; zero where that has none.
+inline Offset unit(Offset o) {
+  const double l = length(o);
+  return l > 0.0 ? o * (1.0 / l) : Offset{};
+}
 constexpr double dot(Offset a, Offset b) {
   return a.x * b.x + a.y * b.y;
 }

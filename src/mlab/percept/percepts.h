@@ -9,6 +9,7 @@
 #include "mlab/geom/vector.h"
 #include "mlab/percept/formation.h"
 #include "mlab/percept/site_map.h"
+#include "mlab/ways/ground.h"
 
 namespace mlab::percept {
 
@@ -135,6 +136,15 @@ struct Joystick {
   friend bool operator==(const Joystick&, const Joystick&) = default;
 };
 
+/// What a robot knows to stand on the ground: what its map says, and what robots of its team have sensed so
+/// far, there or not any more. Discs and walls that they keep out of, and the mission area.
+struct KnownGround {
+  std::uint64_t revision = 0;  ///< another one: some of it is different. 0: nothing is known
+  std::span<const ways::Round> discs;
+  std::span<const geom::Segment> walls;  ///< [m, world]
+  ways::Bounds bounds;
+};
+
 /// Everything that a robot may know in one cycle. Lists are views into a buffer of the cycle, nearest first,
 /// valid until the cycle ends.
 struct Percepts {
@@ -162,6 +172,7 @@ struct Percepts {
   std::span<const SharedPlace> shared_places;
   /// The claims that hold in this robot's team, by object, ascending. At most one for each object.
   std::span<const Claim> claims;
+  KnownGround ground;  ///< where it is wanted
 };
 
 }  // namespace mlab::percept

@@ -37,7 +37,7 @@ std::vector<base::RobotId> robots_of(const google::protobuf::RepeatedField<std::
 // What is wanted, and was not asked for when percepts were recorded.
 std::string lack_of(const percept::Needs& wanted, const percept::Needs& recorded) {
   for (const percept::SensorInfo& sensor : percept::kSensors) {
-    if (wanted[sensor.sensor] <= recorded[sensor.sensor]) continue;
+    if (sensor.is_told || wanted[sensor.sensor] <= recorded[sensor.sensor]) continue;
     if (sensor.has_own_reach) return fmt::format("wants {}, which were not recorded", sensor.label);
     return fmt::format("wants to see {} {} m far; recorded are {} m", sensor.label, wanted[sensor.sensor],
                        recorded[sensor.sensor]);

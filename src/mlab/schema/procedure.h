@@ -31,6 +31,7 @@
 #include "mlab/schema/messages.h"
 #include "mlab/schema/objects.h"
 #include "mlab/schema/ranges.h"
+#include "mlab/schema/reciprocal.h"
 #include "mlab/schema/requests.h"
 #include "mlab/schema/robots.h"
 #include "mlab/schema/route.h"
@@ -38,6 +39,7 @@
 #include "mlab/schema/stick.h"
 #include "mlab/schema/task_progress.h"
 #include "mlab/schema/vector_sum.h"
+#include "mlab/schema/way.h"
 
 namespace mlab::schema {
 
@@ -79,6 +81,8 @@ using percept::Obstacle;
 using percept::RangeReading;
 using percept::RobotReading;
 using percept::Task;
+using ways::PlannedWay;
+using ways::WayEnd;
 
 // Perceiving and acting.
 using base::hash_text;

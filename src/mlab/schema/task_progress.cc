@@ -9,13 +9,16 @@ TaskProgress task_progress(percept::Task task, const TaskMeasures& measures) {
     return TaskProgress{value <= limit, std::max(0.0, value - limit)};
   };
   const TaskProgress arrival = within(measures.goal_distance, measures.success_radius);
+  const bool is_planned = measures.way_remaining >= 0.0;
+  const TaskProgress place_on_way = within(measures.way_remaining, 0.0);
   switch (task) {
     case percept::Task::kMoveTo:
     case percept::Task::kSweepTo:
-      return arrival;
+      return is_planned ? place_on_way : arrival;
     case percept::Task::kFollow:
       return within(measures.route_remaining, measures.success_radius);
     case percept::Task::kOccupy: {
+      if (is_planned) return place_on_way;
       const TaskProgress place = within(measures.station_error, measures.slop);
       return {arrival.done && place.done, arrival.remaining + place.remaining};
     }

@@ -12,6 +12,7 @@ struct TaskMeasures {
   double success_radius = 0.0;   ///< within this distance a goal is reached [m]
   double slop = 0.0;             ///< the station error that an OCCUPY allows [m]
   bool teleoperation_complete = false;
+  double way_remaining = -1.0;  ///< to the robot's place at the end of a planned way; below 0: none is [m]
 };
 
 /// What task_progress says.

@@ -139,6 +139,8 @@ void Sensors::sense(percept::Sensor sensor, double reach, percept::Percepts& out
     case percept::Sensor::kTouch:
       if (const auto thing = touched(scene_, body_)) out.touch = geom::unit(to_robot(*thing));
       break;
+    case percept::Sensor::kGround:  // is told
+      break;
   }
 }
 

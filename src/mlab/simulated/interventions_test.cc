@@ -44,15 +44,16 @@ const fleet::FleetRobot& robot_of(const MissionRun& run, std::uint32_t id) {
   return *run.fleet().find({id});
 }
 
-// The vector that the robot's program sends to its wheels.
+// A vector that moves the robot.
 std::string driven_port(const MissionRun& run) {
   const robot::Workings with = robot_of(run, 1).workings();
   const auto& ports = with.program->ports();
-  const auto last = std::ranges::find_if(ports, [](const flow::Port& port) {
-    return port.role == flow::Port::Role::kOutput && port.type->kind == flow::TypeKind::kVector;
+  const auto moves = std::ranges::find_if(ports, [&](const flow::Port& port) {
+    return port.role == flow::Port::Role::kOutput && port.type->kind == flow::TypeKind::kVector &&
+           flow::Program::vector(with.frame, port) != geom::Vector{};
   });
-  EXPECT_NE(last, ports.end());
-  return last->path;
+  EXPECT_NE(moves, ports.end());
+  return moves->path;
 }
 
 bool are_alike(const MissionRun& a, const MissionRun& b) {

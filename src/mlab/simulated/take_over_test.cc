@@ -109,8 +109,9 @@ TEST(TakeOver, WhatPeopleSetAndHoldStays) {
   ASSERT_EQ(run->set_parameter({2}, "base_velocity", "0.3"), std::nullopt);
   const fleet::FleetRobot& two = *run->fleet().find({2});
   const auto& ports = two.workings().program->ports();
-  const auto port = std::ranges::find_if(ports, [](const flow::Port& one) {
-    return one.role == flow::Port::Role::kOutput && one.type->kind == flow::TypeKind::kVector;
+  const auto port = std::ranges::find_if(ports, [&](const flow::Port& one) {
+    return one.role == flow::Port::Role::kOutput && one.type->kind == flow::TypeKind::kVector &&
+           flow::Program::vector(two.workings().frame, one) != geom::Vector{};
   });
   ASSERT_NE(port, ports.end());
   const std::string held = port->path;

@@ -16,6 +16,7 @@ struct Round {
 struct Bounds {
   double x0 = -1e9, y0 = -1e9, x1 = 1e9, y1 = 1e9;
 
+  friend bool operator==(const Bounds&, const Bounds&) = default;
   bool contains(geom::Point p) const { return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1; }
 };
 

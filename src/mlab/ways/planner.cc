@@ -13,8 +13,10 @@ namespace mlab::ways {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// From one corner to the next of a line round a circle, which then leads at most 0.9 % of the radius outside.
-constexpr double kCorner = std::numbers::pi / 12.0;
+// A line round a circle leads so far outside of it at its corners: the larger of a share of the radius, and
+// of a length [m].
+constexpr double kOutside = 0.009;
+constexpr double kLeastOutside = 0.03;
 
 }  // namespace
 
@@ -145,7 +147,8 @@ Way Planner::way_of(const Search& search, std::int32_t last) const {
     const auto side = static_cast<double>(sense(circle));
     const double by = turned(begin, steps[i + 1]->piece.from_angle, sense(circle));
     if (by > kTurn - 1e-9 || by * one.radius < 1e-6) continue;
-    const int pieces = static_cast<int>(std::ceil(by / kCorner));
+    const double outside = std::max(kOutside * one.radius, kLeastOutside);
+    const int pieces = static_cast<int>(std::ceil(0.5 * by / std::acos(one.radius / (one.radius + outside))));
     const double half = 0.5 * by / pieces;
     for (int k = 0; k < pieces; ++k) {
       const double angle = begin + side * (2 * k + 1) * half;

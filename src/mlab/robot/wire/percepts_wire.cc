@@ -119,6 +119,28 @@ void encode(const percept::SiteMap& map, wire::Percepts& out) {
   }
 }
 
+bool is_told(const percept::KnownGround& ground) {
+  const auto& [revision, discs, walls, bounds] = ground;
+  return revision != 0 || !discs.empty() || !walls.empty() || bounds != ways::Bounds{};
+}
+
+void encode(const percept::KnownGround& ground, wire::Ground& out) {
+  const auto& [revision, discs, walls, bounds] = ground;
+  out.set_revision(revision);
+  for (const auto& [center, radius] : discs) {
+    add(center, *out.mutable_discs());
+    out.add_disc_radius(radius);
+  }
+  for (const auto& [a, b] : walls) {
+    add(a, *out.mutable_wall_a());
+    add(b, *out.mutable_wall_b());
+  }
+  out.set_x0(bounds.x0);
+  out.set_y0(bounds.y0);
+  out.set_x1(bounds.x1);
+  out.set_y1(bounds.y1);
+}
+
 void encode(const percept::Order& order, wire::Order& out) {
   const auto& [sequence, task, goal, route, formation, reference, heading, has_heading, speed, halted] =
       order;
@@ -184,6 +206,9 @@ constexpr std::array kNeedFields = {
     NeedField{percept::Sensor::kTouch,
               [](const wire::Needs& message) { return message.touch() ? percept::kOwnReach : 0.0; },
               [](double reach, wire::Needs& message) { message.set_touch(reach > 0.0); }},
+    NeedField{percept::Sensor::kGround,
+              [](const wire::Needs& message) { return message.ground() ? percept::kOwnReach : 0.0; },
+              [](double reach, wire::Needs& message) { message.set_ground(reach > 0.0); }},
 };
 static_assert(base::has_a_row_for_each<kNeedFields, &NeedField::sensor>());
 
@@ -209,8 +234,8 @@ percept::Needs needs_of(const wire::Needs& message) {
 
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, touch,
-               map, carried, carried_class, order, unit, joystick, notifications, shared_places, claims] =
-      percepts;
+               map, carried, carried_class, order, unit, joystick, notifications, shared_places, claims,
+               ground] = percepts;
   out.Clear();
   out.set_id(id.value);
   encode(pose, *out.mutable_pose());
@@ -234,6 +259,7 @@ void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   encode(camera, *out.mutable_camera());
   if (!shared_places.empty()) encode(shared_places, *out.mutable_shared_places());
   if (!claims.empty()) encode(claims, *out.mutable_claims());
+  if (is_told(ground)) encode(ground, *out.mutable_ground());
 }
 
 std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts& message) {
@@ -336,6 +362,23 @@ std::optional<std::string> DecodedPercepts::decode_map(const wire::SiteMap& mess
   return std::nullopt;
 }
 
+std::optional<std::string> DecodedPercepts::decode_ground(const wire::Ground& message) {
+  if (!are(message.disc_radius_size(), message.discs().x_size(), message.discs().y_size()) ||
+      !are(message.wall_a().x_size(), message.wall_a().y_size(), message.wall_b().x_size(),
+           message.wall_b().y_size()))
+    return "the columns of the ground are not equally long";
+  discs_.clear();
+  for (int i = 0; i < message.disc_radius_size(); ++i)
+    discs_.push_back({{message.discs().x(i), message.discs().y(i)}, message.disc_radius(i)});
+  walls_.clear();
+  for (int i = 0; i < message.wall_a().x_size(); ++i)
+    walls_.push_back(
+        {{message.wall_a().x(i), message.wall_a().y(i)}, {message.wall_b().x(i), message.wall_b().y(i)}});
+  percepts_.ground = {
+      message.revision(), discs_, walls_, {message.x0(), message.y0(), message.x1(), message.y1()}};
+  return std::nullopt;
+}
+
 std::optional<std::string> DecodedPercepts::decode_order(const wire::Order& message) {
   if (!fits(message.task(), kLastTask) || !fits(message.formation(), kLastFormation) ||
       !fits(message.reference(), kLastReference))
@@ -363,6 +406,10 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
   if (auto problem = decode_order(message.order())) return problem;
   if (auto problem = decode_messages(message)) return problem;
   if (auto problem = decode_map(message.map())) return problem;
+  percepts_.ground = {};
+  if (message.has_ground()) {
+    if (auto problem = decode_ground(message.ground())) return problem;
+  }
   if (!fits(message.carried_class(), percept::kLastObjectClass))
     return "what is carried is of a class that there is not";
   const wire::Unit& unit = message.unit();

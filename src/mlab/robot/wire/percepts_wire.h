@@ -39,6 +39,7 @@ class DecodedPercepts {
   std::optional<std::string> decode_readings(const wire::Percepts& message);
   std::optional<std::string> decode_order(const wire::Order& message);
   std::optional<std::string> decode_messages(const wire::Percepts& message);
+  std::optional<std::string> decode_ground(const wire::Ground& message);
   std::optional<std::string> decode_map(const wire::SiteMap& message);
 
   percept::Percepts percepts_;
@@ -54,6 +55,8 @@ class DecodedPercepts {
   std::vector<std::vector<geom::Point>> outlines_;
   std::vector<percept::Room> rooms_;
   std::vector<percept::Hallway> hallways_;
+  std::vector<ways::Round> discs_;
+  std::vector<geom::Segment> walls_;
 };
 
 }  // namespace mlab::robot_wire

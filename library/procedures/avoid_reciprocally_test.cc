@@ -1,0 +1,73 @@
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../testing/library_probe.h"
+
+namespace mlab::library_test {
+namespace {
+
+using geom::Point;
+using geom::Vector;
+
+TEST(AvoidReciprocally, LeavesAMovementThatMeetsNobody) {
+  flow::BehaviorProbe p = probe("AvoidReciprocally");
+  p.set("v", Vector{0.8, 0.2, 0.3}).set("base_velocity", 5.0).set("max_velocity", 7.0);
+  p.step();
+  expect_near(p.output<Vector>(), {0.8, 0.2, 0.3});
+}
+
+TEST(AvoidReciprocally, KeepsOffWhatIsSolid) {
+  flow::BehaviorProbe p = probe("AvoidReciprocally");
+  p.set("v", Vector{1.0, 0.0, 0.0}).set("base_velocity", 5.0).set("max_velocity", 7.0);
+  const double radius = 0.2;
+  const double gap = 0.2;
+  double nearest = 1e9;
+  for (int i = 0; i < 100; ++i) {
+    const Vector rock = p.percepts.pose.to_robot(Point{10.0, 0.01});
+    const std::vector<percept::Obstacle> rocks{{rock, 2.0}};
+    p.percepts.obstacles = rocks;
+    p.set("obstacles", all<flow::Obstacles>(1));
+    p.step();
+    p.percepts.pose.position = p.percepts.pose.position + p.percepts.pose.to_world(p.output<Vector>()) *
+                                                              (5.0 * p.percepts.cycle_duration);
+    nearest = std::min(nearest, distance(p.percepts.pose.position, {10.0, 0.01}));
+  }
+  EXPECT_GT(nearest, 2.0 + radius + gap - 0.05);
+}
+
+TEST(AvoidReciprocally, TwoThatMeetHeadOnPassOnTheRight) {
+  flow::BehaviorProbe a = probe("AvoidReciprocally");
+  flow::BehaviorProbe b = probe("AvoidReciprocally");
+  a.percepts.pose = {{0.0, 0.0}, 0.0};
+  b.percepts.pose = {{30.0, 0.0}, 0.0};
+  double nearest = 1e9;
+  for (int i = 0; i < 80; ++i) {
+    const auto sight = [](const flow::BehaviorProbe& of, const flow::BehaviorProbe& other, std::uint32_t id) {
+      return percept::RobotReading{.id = {id},
+                                   .center = of.percepts.pose.to_robot(other.percepts.pose.position)};
+    };
+    const std::vector<percept::RobotReading> of_a{sight(a, b, 2)};
+    const std::vector<percept::RobotReading> of_b{sight(b, a, 1)};
+    const auto step = [](flow::BehaviorProbe& p, const std::vector<percept::RobotReading>& seen,
+                         double ahead) {
+      p.percepts.robots = seen;
+      p.set("robots", all<flow::Robots>(1)).set("v", Vector{ahead, 0.0, 0.0});
+      p.set("base_velocity", 5.0).set("max_velocity", 7.0);
+      p.step();
+    };
+    step(a, of_a, 0.8);
+    step(b, of_b, -0.8);
+    for (flow::BehaviorProbe* p : {&a, &b})
+      p->percepts.pose.position =
+          p->percepts.pose.position + p->percepts.pose.to_world(p->output<Vector>()) * (5.0 * 0.1);
+    nearest = std::min(nearest, distance(a.percepts.pose.position, b.percepts.pose.position));
+  }
+  EXPECT_GT(nearest, 0.9);
+  EXPECT_GT(a.percepts.pose.position.x, 28.0);
+  EXPECT_LT(b.percepts.pose.position.x, 2.0);
+  EXPECT_LT(a.percepts.pose.position.y, 0.0);
+}
+
+}  // namespace
+}  // namespace mlab::library_test

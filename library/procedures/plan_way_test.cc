@@ -1,0 +1,196 @@
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../testing/library_probe.h"
+
+namespace mlab::library_test {
+namespace {
+
+using geom::Point;
+using geom::Vector;
+using ways::PlannedWay;
+using ways::WayEnd;
+
+/// A rock between two places.
+class Way : public testing::Test {
+ protected:
+  std::vector<ways::Round> rocks{{{50.0, 50.0}, 8.0}};
+  std::vector<geom::Segment> walls;
+
+  percept::KnownGround ground() {
+    static std::uint64_t last = 0x77000000U;
+    return {++last, rocks, walls, {0.0, 0.0, 200.0, 200.0}};
+  }
+  static PlannedWay straight(Point from, Point to) {
+    PlannedWay out;
+    out.corners[0] = from;
+    out.corners[1] = to;
+    out.count = 2;
+    out.clearance = 1.0;
+    out.version = 1;
+    out.end = WayEnd::kGoal;
+    return out;
+  }
+};
+
+TEST_F(Way, GoesRoundWhatIsKnown) {
+  flow::BehaviorProbe p = probe("PlanWay");
+  p.percepts.ground = ground();
+  p.set("from", Point{20.0, 50.0}).set("goal", Point{80.0, 50.0});
+  p.step();
+  const auto way = p.output<PlannedWay>();
+  EXPECT_EQ(way.end, WayEnd::kGoal);
+  EXPECT_GT(way.count, 3);
+  EXPECT_EQ(way.points().front(), (Point{20.0, 50.0}));
+  EXPECT_EQ(way.points().back(), (Point{80.0, 50.0}));
+}
+
+TEST_F(Way, StaysUntilThereIsAReason) {
+  flow::BehaviorProbe p = probe("PlanWay");
+  p.percepts.ground = ground();
+  p.set("from", Point{20.0, 50.0}).set("goal", Point{80.0, 50.0}).set("stray", 10.0).set("tolerance", 0.5);
+  const auto version = [&] {
+    p.step();
+    return p.output<PlannedWay>().version;
+  };
+  const auto first = version();
+  EXPECT_EQ(version(), first);
+  p.set("from", Point{24.0, 52.0});
+  EXPECT_EQ(version(), first) << "it may go beside it";
+  p.set("goal", Point{80.3, 50.0});
+  EXPECT_EQ(version(), first) << "the goal may move a little";
+  rocks.push_back({{60.0, 150.0}, 3.0});
+  p.percepts.ground = ground();
+  EXPECT_EQ(version(), first) << "something new stands elsewhere";
+
+  rocks.push_back({p.output<PlannedWay>().corners[2], 1.0});
+  p.percepts.ground = ground();
+  EXPECT_NE(version(), first) << "something new stands on it";
+  const auto second = version();
+  p.set("goal", Point{90.0, 50.0});
+  EXPECT_NE(version(), second) << "another goal";
+  const auto third = version();
+  p.set("from", Point{20.0, 90.0});
+  EXPECT_NE(version(), third) << "off the way";
+}
+
+TEST_F(Way, IsTrackedFromWhereOneWas) {
+  flow::BehaviorProbe p = probe("TrackWay");
+  p.set("way", straight({0.0, 0.0}, {100.0, 0.0}));
+  const auto at = [&](Point place) {
+    p.set("place", place);
+    p.step();
+    return p.output<double>();
+  };
+  EXPECT_DOUBLE_EQ(at({-7.0, 3.0}), -7.0);
+  EXPECT_DOUBLE_EQ(at({4.0, 3.0}), 4.0);
+  EXPECT_DOUBLE_EQ(at({30.0, -9.0}), 30.0);
+  EXPECT_DOUBLE_EQ(at({104.0, 0.0}), 60.0) << "no farther than the window";
+  EXPECT_DOUBLE_EQ(at({104.0, 0.0}), 90.0);
+  EXPECT_DOUBLE_EQ(at({104.0, 0.0}), 104.0);
+}
+
+TEST_F(Way, HasAPlaceForEachRankOfAFormation) {
+  flow::BehaviorProbe p = probe("WayStation");
+  p.set("way", straight({0.0, 0.0}, {100.0, 0.0})).set("spacing", 10.0);
+  p.percepts.unit.size = 2;
+  p.percepts.unit.rank = 1;
+  p.set("formation", percept::Formation::kColumn);
+  p.step();
+  expect_near(p.output<Vector>(), percept::station(percept::Formation::kColumn, 1, 2, 10.0));
+  p.percepts.unit.size = 1;
+  p.step();
+  expect_near(p.output<Vector>(), {});
+}
+
+TEST_F(Way, WithoutAFormationItsRobotsStayAsTheyStood) {
+  flow::BehaviorProbe p = probe("WayStation");
+  p.set("way", straight({0.0, 0.0}, {0.0, 100.0})).set("formation", percept::Formation::kNone);
+  p.percepts.unit.size = 3;
+  p.percepts.unit.center = {0.0, 0.0};
+  p.percepts.pose.position = {4.0, -2.0};
+  p.step();
+  expect_near(p.output<Vector>(), {-2.0, -4.0, 0.0});
+  p.percepts.pose.position = {9.0, 9.0};
+  p.step();
+  expect_near(p.output<Vector>(), {-2.0, -4.0, 0.0});
+  p.percepts.order.sequence = 2;
+  p.step();
+  expect_near(p.output<Vector>(), {9.0, -9.0, 0.0});
+}
+
+TEST_F(Way, AStationMovesToWhereItCanBe) {
+  flow::BehaviorProbe p = probe("PlaceOnWay");
+  const PlannedWay way = straight({0.0, 30.0}, {190.0, 30.0});
+  p.set("way", way).set("progress", 42.0).set("lookahead", 8.0);
+  const auto place = [&](Vector station) {
+    p.set("station", station);
+    p.step();
+    return p.output<Point>();
+  };
+  EXPECT_EQ(place({0.0, 20.0, 0.0}), (Point{50.0, 50.0})) << "nothing is known";
+  p.percepts.ground = ground();
+  EXPECT_EQ(place({0.0, 18.0, 0.0}), (Point{60.0, 48.0})) << "behind a rock of 8 m, with a clearance of 1";
+  walls = {{{0.0, 35.0}, {190.0, 35.0}}};
+  p.percepts.ground = ground();
+  EXPECT_EQ(place({0.0, 18.0, 0.0}), (Point{60.0, 30.0})) << "a wall is in front of it";
+}
+
+TEST_F(Way, ItEndsAtTheStation) {
+  flow::BehaviorProbe p = probe("PlaceOnWay");
+  p.set("way", straight({0.0, 30.0}, {100.0, 30.0}))
+      .set("progress", 99.0)
+      .set("station", Vector{-10.0, 5.0, 0.0});
+  p.step();
+  EXPECT_EQ(p.output<Point>(), (Point{90.0, 35.0}));
+}
+
+TEST_F(Way, PaceBringsARobotToItsStation) {
+  flow::BehaviorProbe p = probe("PaceOnWay");
+  const auto pace = [&](double unit, double own, double along) {
+    p.set("unit_progress", unit).set("progress", own).set("station", Vector{along, 0.0, 0.0});
+    p.step();
+    return p.output<double>();
+  };
+  EXPECT_DOUBLE_EQ(pace(100.0, 110.0, 10.0), 1.0);
+  EXPECT_GT(pace(100.0, 105.0, 10.0), 1.0);
+  EXPECT_LT(pace(100.0, 112.0, 10.0), 1.0);
+  EXPECT_DOUBLE_EQ(pace(0.0, 500.0, 0.0), 0.7);
+  EXPECT_DOUBLE_EQ(pace(500.0, 0.0, 0.0), 1.5);
+}
+
+TEST_F(Way, IsFollowedRoundItsCornersToItsEnd) {
+  flow::BehaviorProbe p = probe("FollowWay");
+  PlannedWay way = straight({0.0, 0.0}, {10.0, 0.0});
+  way.corners[way.count++] = {10.0, 10.0};
+  p.set("way", way);
+  geom::Point at{0.0, 0.0};
+  double farthest = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    p.percepts.pose.position = at;
+    p.step();
+    at = at + p.percepts.pose.to_world(p.output<Vector>()) * 0.3;
+    const double off = std::min(distance(nearest_point({way.corners[0], way.corners[1]}, at), at),
+                                distance(nearest_point({way.corners[1], way.corners[2]}, at), at));
+    farthest = std::max(farthest, off);
+  }
+  EXPECT_LT(farthest, 1.0);
+  EXPECT_LT(distance(at, {10.0, 10.0}), 0.1);
+}
+
+TEST_F(Way, NothingRemainsAtTheStation) {
+  flow::BehaviorProbe p = probe("WayRemaining");
+  p.set("way", straight({0.0, 30.0}, {100.0, 30.0})).set("station", Vector{-10.0, 5.0, 0.0});
+  p.percepts.pose.position = {88.0, 34.0};
+  p.set("progress", 88.0);
+  p.step();
+  EXPECT_DOUBLE_EQ(p.output<double>(), 0.0);
+  p.percepts.pose.position = {50.0, 35.0};
+  p.set("progress", 50.0);
+  p.step();
+  EXPECT_DOUBLE_EQ(p.output<double>(), 40.0);
+}
+
+}  // namespace
+}  // namespace mlab::library_test

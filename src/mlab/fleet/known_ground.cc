@@ -1,0 +1,81 @@
+#include "mlab/fleet/known_ground.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "mlab/base/hash.h"
+#include "mlab/binding/world_view.h"
+#include "mlab/overlay/barriers.h"
+
+namespace mlab::fleet {
+namespace {
+
+// Who is sensed so near to something known is that: sensors and the place of the robot are not exact [m].
+constexpr double kSame = 0.2;
+
+ways::Ground ground_of(const overlay::Overlay& map) {
+  ways::Ground out;
+  for (const overlay::ObstacleDisc& disc : map.obstacles) out.discs.push_back({disc.center, disc.radius});
+  for (const overlay::Barrier& one : overlay::barriers(map)) out.walls.push_back(one.segment);
+  return out;
+}
+
+ways::Bounds bounds_of(overlay::Area area) {
+  constexpr double kEdge = binding::kAreaMargin;
+  return {kEdge, kEdge, area.width - kEdge, area.height - kEdge};
+}
+
+// The same for the same things in the same order, in every process.
+std::uint64_t revision_of(const ways::Ground& ground, ways::Bounds bounds) {
+  std::uint64_t out = 1;
+  const auto add = [&](double number) {
+    out = base::combine_bits(out, std::bit_cast<std::uint64_t>(number));
+  };
+  for (const auto& [center, radius] : ground.discs) {
+    add(center.x);
+    add(center.y);
+    add(radius);
+  }
+  out = base::combine_bits(out, ground.discs.size());
+  for (const auto& [a, b] : ground.walls) {
+    add(a.x);
+    add(a.y);
+    add(b.x);
+    add(b.y);
+  }
+  add(bounds.x1);
+  add(bounds.y1);
+  return out == 0 ? 1 : out;
+}
+
+}  // namespace
+
+TeamGround::TeamGround(const overlay::Overlay& map)
+    : TeamGround(ground_of(map), bounds_of(map.mission_area()), map.obstacles.size()) {}
+
+TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::size_t mapped)
+    : ground_(std::move(ground)), bounds_(bounds), mapped_(mapped), revision_(revision_of(ground_, bounds)) {}
+
+bool TeamGround::knows(geom::Point place) const {
+  std::call_once(looked_, [this] { things_.emplace(ground_, kSame); });
+  return !things_->is_free(place);
+}
+
+std::shared_ptr<const TeamGround> TeamGround::with(std::span<const ways::Round> sensed) const {
+  ways::Ground ground;
+  for (const ways::Round& one : sensed) {
+    if (ground_.discs.size() - mapped_ + ground.discs.size() >= kMostSensed) break;
+    const bool is_new =
+        !knows(one.center) && std::ranges::none_of(ground.discs, [&](const ways::Round& other) {
+          return distance(other.center, one.center) < other.radius + kSame;
+        });
+    if (is_new) ground.discs.push_back(one);
+  }
+  if (ground.discs.empty()) return nullptr;
+  ground.discs.insert(ground.discs.begin(), ground_.discs.begin(), ground_.discs.end());
+  ground.walls = ground_.walls;
+  return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, mapped_));
+}
+
+}  // namespace mlab::fleet

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+
+#include "mlab/overlay/overlay.h"
+#include "mlab/percept/percepts.h"
+#include "mlab/ways/clearing.h"
+#include "mlab/ways/ground.h"
+
+namespace mlab::fleet {
+
+/// What a team knows to stand on the ground: what the map says, and what its robots have sensed besides.
+/// Never changed, so checkpoints share it.
+class TeamGround {
+ public:
+  /// So many sensed things are remembered, at most.
+  static constexpr std::size_t kMostSensed = 4'000;
+
+  explicit TeamGround(const overlay::Overlay& map);
+
+  /// Valid as long as this is.
+  percept::KnownGround view() const { return {revision_, ground_.discs, ground_.walls, bounds_}; }
+  /// Whether something that is known stands there. May be asked by several threads.
+  bool knows(geom::Point place) const;
+  /// With what was sensed besides; nothing: all of it is known, or there is no room for more.
+  std::shared_ptr<const TeamGround> with(std::span<const ways::Round> sensed) const;
+
+ private:
+  TeamGround(ways::Ground ground, ways::Bounds bounds, std::size_t mapped);
+
+  ways::Ground ground_;  // without bounds: things beyond them are known, too
+  ways::Bounds bounds_;
+  std::size_t mapped_ = 0;  // discs that the map has; those behind them were sensed
+  std::uint64_t revision_ = 0;
+  mutable std::once_flag looked_;  // most robots never ask
+  mutable std::optional<ways::Clearing> things_;
+};
+
+}  // namespace mlab::fleet

@@ -1,0 +1,285 @@
+#include "mlab/schema/way.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/schema/route.h"
+#include "mlab/ways/planner.h"
+
+namespace mlab::schema {
+namespace {
+
+using ways::PlannedWay;
+using ways::WayEnd;
+
+// Shares of the margin that a way may keep.
+constexpr std::array kShares = {1.0, 0.5, 0.25};
+constexpr double kLeastMargin = 0.1;  // [m]
+// After so much a search is given up, as Planner::effort: some hundredths of a second.
+constexpr std::uint64_t kMostEffort = 4'000'000;
+
+/// Plans on one ground at one clearance. One thread at a time.
+struct Site {
+  std::uint64_t revision = 0;
+  ways::Ground ground;
+  ways::Planner planner;
+  std::mutex mutex;
+
+  Site(const percept::KnownGround& known, double clearance)
+      : revision(known.revision),
+        ground{
+            {known.discs.begin(), known.discs.end()}, {known.walls.begin(), known.walls.end()}, known.bounds},
+        planner(ground, clearance) {}
+
+  const ways::Clearing& clearing() const { return planner.clearing(); }
+};
+
+/// Those used last, for all robots of the process.
+class Sites {
+ public:
+  std::shared_ptr<Site> at(const percept::KnownGround& ground, double clearance) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find_if(sites_, [&](const auto& one) {
+      return one->revision == ground.revision && one->clearing().clearance() == clearance;
+    });
+    if (found != sites_.end()) {
+      sites_.splice(sites_.begin(), sites_, found);
+    } else {
+      sites_.push_front(std::make_shared<Site>(ground, clearance));
+      if (sites_.size() > kMost) sites_.pop_back();
+    }
+    return sites_.front();
+  }
+
+ private:
+  static constexpr std::size_t kMost = 16;
+  std::mutex mutex_;
+  std::list<std::shared_ptr<Site>> sites_;
+};
+
+Sites& sites() {
+  static Sites all;
+  return all;
+}
+
+void add(PlannedWay& way, geom::Point corner) {
+  if (way.count > 0 && distance(way.corners[way.count - 1], corner) < 1e-9) return;
+  if (way.count == PlannedWay::kMostCorners)
+    way.end = WayEnd::kFull;
+  else
+    way.corners[way.count++] = corner;
+}
+
+// Where a body may leave a place, or come to it, that things are nearer to than it keeps.
+std::optional<geom::Point> free_beside(Site& tight, const ways::Clearing& wide, geom::Point place) {
+  if (wide.is_free(place)) return place;
+  const auto out = wide.nearest_free(place);
+  if (!out) return std::nullopt;
+  // Not through a wall.
+  const bool is_there = tight.clearing().is_free(place);
+  return !is_there || tight.clearing().is_free(geom::Segment{place, *out}) ? out : std::nullopt;
+}
+
+PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& way, geom::Point goal,
+                        WayEnd end) {
+  PlannedWay out;
+  out.clearance = way.clearance;
+  out.end = end;
+  add(out, from);
+  for (const geom::Point corner : way.corners) add(out, corner);
+  if (end != WayEnd::kGoal) return out;
+  if (tight.clearing().is_free(goal))
+    add(out, goal);
+  else
+    out.end = WayEnd::kBesideGoal;
+  return out;
+}
+
+}  // namespace
+
+PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
+                    double margin) {
+  PlannedWay out;
+  if (ground.revision == 0 || !is_finite(from) || !is_finite(goal)) {
+    add(out, from);
+    add(out, goal);
+    out.clearance = radius + margin;
+    out.end = WayEnd::kGoal;
+    return out;
+  }
+  const double least = radius + std::min(margin, kLeastMargin);
+  const auto tight = sites().at(ground, least);
+  std::vector<double> clearances;
+  for (const double share : kShares) {
+    if (radius + share * margin > least) clearances.push_back(radius + share * margin);
+  }
+  clearances.push_back(least);
+  for (const double clearance : clearances) {
+    const auto site = sites().at(ground, clearance);
+    const std::lock_guard lock(site->mutex);
+    const auto begin = free_beside(*tight, site->clearing(), from);
+    const auto end = free_beside(*tight, site->clearing(), goal);
+    if (!begin || !end) continue;
+    const auto way = site->planner.find(*begin, *end, kMostEffort);
+    if (way) return put_together(*tight, from, *way, goal, WayEnd::kGoal);
+    if (clearance > least) continue;
+    const auto part = site->planner.find(*begin, way.error().nearest, kMostEffort);
+    if (part) return put_together(*tight, from, *part, goal, WayEnd::kClosedOff);
+  }
+  return out;
+}
+
+bool is_open(const percept::KnownGround& ground, const PlannedWay& way) {
+  // Corners lie a little outside of the arcs that they stand for, never inside.
+  const double clearance = way.clearance - 1e-3;
+  const auto points = way.points();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const geom::Segment piece{points[i - 1], points[i]};
+    for (const ways::Round& disc : ground.discs) {
+      const geom::Point nearest = nearest_point(piece, disc.center);
+      // Where it is nearest at an end of the way, it only leaves the thing, or comes to it.
+      if (distance(nearest, disc.center) < disc.radius + clearance && nearest != points.front() &&
+          nearest != points.back())
+        return false;
+    }
+    for (const geom::Segment& wall : ground.walls) {
+      if (intersects(piece, wall)) return false;
+    }
+  }
+  return true;
+}
+
+std::string what_blocks(const percept::KnownGround& ground, geom::Point from, geom::Point goal) {
+  const geom::Offset along = goal - from;
+  const double length2 = std::max(dot(along, along), 1e-12);
+  double first = 2.0;  // share of the line
+  std::string out = "the ground";
+  for (const ways::Round& disc : ground.discs) {
+    const double at = std::clamp(dot(disc.center - from, along) / length2, 0.0, 1.0);
+    if (distance(from + along * at, disc.center) > disc.radius || at >= first) continue;
+    first = at;
+    out = fmt::format("an obstacle of radius {:.1f} m at ({:.1f}, {:.1f})", disc.radius, disc.center.x,
+                      disc.center.y);
+  }
+  for (const geom::Segment& wall : ground.walls) {
+    const geom::Offset side = wall.b - wall.a;
+    const double slope = cross(along, side);
+    if (!intersects({from, goal}, wall) || slope == 0.0) continue;
+    const double at = cross(wall.a - from, side) / slope;
+    if (at >= first) continue;
+    first = at;
+    const geom::Point there = from + along * at;
+    out = fmt::format("a wall at ({:.1f}, {:.1f})", there.x, there.y);
+  }
+  return first > 1.0 && !ground.bounds.contains(goal) ? "the edge of the mission area" : out;
+}
+
+std::string no_way_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal) {
+  return fmt::format("no way to ({:.0f}, {:.0f}) is known: {} is in front of it, {:.0f} m away", goal.x,
+                     goal.y, what_blocks(ground, last, goal), distance(last, goal));
+}
+
+std::string beside_goal_text(geom::Point last, geom::Point goal) {
+  return fmt::format("something stands at ({:.0f}, {:.0f}); ({:.1f}, {:.1f}) is the nearest place to it",
+                     goal.x, goal.y, last.x, last.y);
+}
+
+PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& way, geom::Vector station,
+                        double in_file, double at, geom::Point here, double away) {
+  constexpr double kStep = 2.0;  // [m]
+  constexpr double kHalf = 5.0;  // of the piece of the way that says where it leads [m]
+  const auto points = way.points();
+  if (points.empty()) return {here, at};
+  const double length = route_length(points);
+  // Where it goes on all go to its end, and see from there.
+  const double end = way.end == WayEnd::kFull ? length : length + station.x;
+  const auto is_apart = [&](geom::Point a, geom::Point b) {
+    return std::ranges::any_of(ground.walls,
+                               [&](const geom::Segment& wall) { return intersects({a, b}, wall); });
+  };
+  const auto place_at = [&](double there) {
+    const geom::Point middle = way_point(points, there);
+    const geom::Offset along = unit(way_point(points, there + kHalf) - way_point(points, there - kHalf));
+    const geom::Point place = middle + geom::Offset{-along.y, along.x} * station.y;
+    const geom::Point nearest = way_point(points, std::clamp(there, 0.0, length));
+    if (!is_apart(nearest, middle) && !is_apart(middle, place)) return place;
+    return there < end ? nearest : way_point(points, std::max(0.0, length - in_file));
+  };
+  if (ground.revision == 0 || way.count < 2) return {place_at(std::min(at, end)), std::min(at, end)};
+  const auto site = sites().at(ground, way.clearance);
+  for (int step = 0; at + kStep * step < end; ++step) {
+    const double there = at + kStep * step;
+    const geom::Point place = place_at(there);
+    if (distance(place, here) >= away && site->clearing().is_free(place)) return {place, there};
+  }
+  const geom::Point last = place_at(end);
+  return {site->clearing().nearest_free(last).value_or(last), end};
+}
+
+geom::Point way_point(std::span<const geom::Point> way, double at) {
+  if (way.size() < 2) return way.empty() ? geom::Point{} : way.front();
+  if (at < 0.0) return way[0] + unit(way[1] - way[0]) * at;
+  const double length = route_length(way);
+  if (at > length) return way.back() + unit(way.back() - way[way.size() - 2]) * (at - length);
+  return route_point(way, at);
+}
+
+std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,
+                          std::span<geom::Point> out) {
+  std::size_t count = 0;
+  for (const geom::Segment& wall : ground.walls) {
+    const geom::Point place = nearest_point(wall, here);
+    const double far = distance(place, here);
+    if (far > reach || (count == out.size() && far >= distance(out.back(), here))) continue;
+    if (count < out.size()) ++count;
+    std::size_t at = count - 1;
+    for (; at > 0 && far < distance(out[at - 1], here); --at) out[at] = out[at - 1];
+    out[at] = place;
+  }
+  return count;
+}
+
+geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double lookahead) {
+  const auto points = way.points();
+  const double length = route_length(points);
+  // So much nearer than the clearance one may come to what the way leads round.
+  const double cut = std::clamp(0.2 * way.clearance, 0.05, 0.5) + distance(route_point(points, at), here);
+  for (double ahead = lookahead;; ahead *= 0.5) {
+    const double there = std::min(at + ahead, length);
+    const geom::Point carrot = route_point(points, there);
+    double corner = 0.0;
+    bool is_near = true;
+    for (std::size_t i = 1; i < points.size() && corner < there && is_near; ++i) {
+      corner += distance(points[i - 1], points[i]);
+      is_near = corner <= at || corner >= there ||
+                distance(nearest_point({here, carrot}, points[i]), points[i]) <= cut;
+    }
+    if (is_near || ahead < 0.05) return carrot;
+  }
+}
+
+double way_progress(std::span<const geom::Point> way, geom::Point p, double from, double to) {
+  if (way.size() < 2) return 0.0;
+  const double length = route_length(way);
+  const double at = nearest_way(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
+  if (at <= 0.0) return std::clamp(dot(p - way[0], unit(way[1] - way[0])), from, 0.0);
+  if (at >= length) {
+    const double beyond = dot(p - way.back(), unit(way.back() - way[way.size() - 2]));
+    return length + std::max(0.0, std::min(beyond, to - length));
+  }
+  return at;
+}
+
+}  // namespace mlab::schema

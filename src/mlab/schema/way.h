@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "mlab/geom/pose.h"
+#include "mlab/percept/percepts.h"
+#include "mlab/ways/planned_way.h"
+
+namespace mlab::schema {
+
+/// Whether a place is one.
+inline bool is_finite(geom::Point p) {
+  return std::isfinite(p.x + p.y);
+}
+
+/// A way for a body of this radius that keeps its margin from everything known, as far as there is room:
+/// where no way is so wide the margin bends, to a half, a quarter, and at last to a tenth of a metre. Its
+/// ends may be nearer to something. What was planned before on the same ground is remembered, so that robots
+/// of a unit plan once; that makes no difference to what it is. May be called by several threads.
+///
+/// @param ground  what is known; with revision 0 the way is straight
+/// @param radius  of the body [m], >= 0
+/// @param margin  to keep from the edges of things [m], >= 0
+/// @return  towards the goal as far as a way leads; its `end` says what is there
+/// @source  mlab/ways/planner.h
+ways::PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal,
+                          double radius, double margin);
+
+/// Whether nothing that is known stands nearer to the way's pieces than its clearance, but for its ends.
+bool is_open(const percept::KnownGround& ground, const ways::PlannedWay& way);
+
+/// What is met first on the straight line from where a way ends to its goal, as a sentence's subject:
+/// `a wall at (300.0, 210.5)`, `an obstacle of radius 4.0 m at (310.0, 200.0)`, `the edge of the mission
+/// area`; `the ground` where nothing is known to be there.
+std::string what_blocks(const percept::KnownGround& ground, geom::Point from, geom::Point goal);
+/// What the operator is to read where no way leads farther than `last`, and where something stands at the
+/// goal.
+std::string no_way_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal);
+std::string beside_goal_text(geom::Point last, geom::Point goal);
+
+/// A place beside a way, and how far along the way it is.
+struct PlaceAhead {
+  geom::Point place;  ///< [m, world]
+  double at = 0.0;    ///< [m]
+};
+
+/// The place of a station of a formation that goes along a way, so far along it or farther: it moves on where
+/// something stands, and at the inner side of a turn, until it is far enough from the robot. A wall between
+/// it and the way moves it to the way: there the formation passes in file, and at the way's end it stands in
+/// file. What stands at its last place moves it beside that. Where there is no way it is the robot's own
+/// place.
+/// @param station  x ahead along the way, y to its left [m]
+/// @param in_file  how far from the way's end it stands in file [m]
+/// @param at       how far along the way, at most as far as the station is at the way's end [m]
+/// @param here     the robot's place [m, world]
+/// @param away     how far from there it is at least, if the way goes on [m]
+PlaceAhead place_on_way(const percept::KnownGround& ground, const ways::PlannedWay& way, geom::Vector station,
+                        double in_file, double at, geom::Point here, double away);
+
+/// As route_point, with a way that goes straight on at both ends.
+geom::Point way_point(std::span<const geom::Point> way, double at);
+/// How many of the unit are nearer to the way's end than the robot, of those in sight.
+template <class Readings>
+int mates_before(const Readings& robots, const geom::Pose& pose, const ways::PlannedWay& way) {
+  if (way.count == 0) return 0;
+  const geom::Vector end = pose.to_robot(way.points().back());
+  int out = 0;
+  for (const percept::RobotReading& robot : robots)
+    out += robot.is_unit_mate && length(robot.center - end) < length(end) ? 1 : 0;
+  return out;
+}
+
+/// The places of the walls that are nearest, nearest first; as many as there is room for.
+/// @return  how many
+std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,
+                          std::span<geom::Point> out);
+
+/// Where to head for from beside a way, so that what one cuts off of its turns stays small.
+/// @param at         how far along the way one is [m]
+/// @param lookahead  the place is at most so much farther [m]
+geom::Point carrot_on(const ways::PlannedWay& way, geom::Point here, double at, double lookahead);
+/// As nearest_way, likewise: less than 0 behind its beginning, more than its length beyond its end.
+double way_progress(std::span<const geom::Point> way, geom::Point p, double from, double to);
+
+}  // namespace mlab::schema

@@ -1,0 +1,128 @@
+#include "mlab/schema/way.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace mlab::schema {
+namespace {
+
+using geom::Point;
+using ways::WayEnd;
+
+/// What is known, with what it consists of.
+struct Known {
+  std::vector<ways::Round> discs;
+  std::vector<geom::Segment> walls;
+  std::uint64_t revision = 0;
+
+  percept::KnownGround ground() const { return {revision, discs, walls, {0.0, 0.0, 200.0, 200.0}}; }
+};
+
+std::uint64_t next_revision() {
+  static std::uint64_t last = 0;
+  return ++last;
+}
+
+Known with_disc() {
+  return {{{{50.0, 50.0}, 10.0}}, {}, next_revision()};
+}
+
+TEST(PlanWay, IsStraightWhereNothingIsKnown) {
+  const auto way = plan_way({}, {0.0, 0.0}, {30.0, 40.0}, 0.2, 5.0);
+  EXPECT_EQ(way.end, WayEnd::kGoal);
+  ASSERT_EQ(way.count, 2);
+  EXPECT_EQ(way.corners[1], (Point{30.0, 40.0}));
+}
+
+TEST(PlanWay, KeepsItsMarginWhereThereIsRoom) {
+  const Known known = with_disc();
+  const auto way = plan_way(known.ground(), {20.0, 50.0}, {80.0, 51.0}, 0.2, 5.0);
+  EXPECT_EQ(way.end, WayEnd::kGoal);
+  EXPECT_DOUBLE_EQ(way.clearance, 5.2);
+  EXPECT_TRUE(is_open(known.ground(), way));
+  for (const Point corner : way.points()) EXPECT_GE(distance(corner, {50.0, 50.0}), 15.2 - 1e-6);
+}
+
+TEST(PlanWay, BendsItsMarginInNarrowPlaces) {
+  Known known;
+  known.walls = {{{50.0, 0.0}, {50.0, 98.5}}, {{50.0, 101.5}, {50.0, 200.0}}};
+  known.revision = next_revision();
+  const auto way = plan_way(known.ground(), {20.0, 100.0}, {80.0, 100.0}, 0.2, 5.0);
+  EXPECT_EQ(way.end, WayEnd::kGoal);
+  EXPECT_DOUBLE_EQ(way.clearance, 1.45);
+}
+
+TEST(PlanWay, GoesAsNearAsItCanWhereItIsClosedOff) {
+  Known known;
+  known.walls = {{{50.0, 0.0}, {50.0, 200.0}}};
+  known.revision = next_revision();
+  const auto way = plan_way(known.ground(), {20.0, 100.0}, {80.0, 100.0}, 0.2, 5.0);
+  EXPECT_EQ(way.end, WayEnd::kClosedOff);
+  for (const Point corner : way.points()) EXPECT_LT(corner.x, 50.0);
+}
+
+TEST(PlanWay, EndsBesideAGoalThatSomethingStandsOn) {
+  const Known known = with_disc();
+  const auto way = plan_way(known.ground(), {20.0, 50.0}, {44.0, 50.0}, 0.2, 5.0);
+  EXPECT_EQ(way.end, WayEnd::kBesideGoal);
+  EXPECT_NEAR(distance(way.points().back(), {34.8, 50.0}), 0.0, 1e-3);
+}
+
+TEST(PlanWay, EndsAtAGoalNearSomething) {
+  const Known known = with_disc();
+  const auto way = plan_way(known.ground(), {20.0, 50.0}, {38.0, 50.0}, 0.2, 5.0);
+  EXPECT_EQ(way.end, WayEnd::kGoal);
+  EXPECT_EQ(way.points().back(), (Point{38.0, 50.0}));
+}
+
+TEST(PlanWay, IsNotOpenWhereSomethingNewStands) {
+  Known known = with_disc();
+  const auto way = plan_way(known.ground(), {10.0, 50.0}, {150.0, 50.0}, 0.2, 5.0);
+  EXPECT_TRUE(is_open(known.ground(), way));
+  known.discs.push_back({{140.0, 52.0}, 3.0});
+  EXPECT_FALSE(is_open(known.ground(), way)) << "on its last piece";
+  known.discs.back() = {{20.0, 52.0}, 3.0};
+  EXPECT_FALSE(is_open(known.ground(), way)) << "on its first piece";
+  known.discs.back() = {way.corners[2], 0.5};
+  EXPECT_FALSE(is_open(known.ground(), way)) << "at a corner";
+  known.discs.back() = {{100.0, 150.0}, 3.0};
+  EXPECT_TRUE(is_open(known.ground(), way)) << "elsewhere";
+  known.walls = {{{100.0, 0.0}, {100.0, 200.0}}};
+  EXPECT_FALSE(is_open(known.ground(), way)) << "a wall across it";
+}
+
+TEST(PlanWay, LeavesWhatItBeginsNearTo) {
+  const Known known = with_disc();
+  const auto way = plan_way(known.ground(), {61.0, 50.0}, {150.0, 50.0}, 0.2, 5.0);
+  EXPECT_EQ(way.end, WayEnd::kGoal);
+  EXPECT_TRUE(is_open(known.ground(), way));
+}
+
+TEST(WhatBlocks, IsTheFirstThingOnTheLine) {
+  Known known = with_disc();
+  known.walls = {{{100.0, 0.0}, {100.0, 200.0}}};
+  known.revision = next_revision();
+  EXPECT_EQ(what_blocks(known.ground(), {80.0, 50.0}, {150.0, 50.0}), "a wall at (100.0, 50.0)");
+  EXPECT_EQ(what_blocks(known.ground(), {20.0, 50.0}, {150.0, 50.0}),
+            "an obstacle of radius 10.0 m at (50.0, 50.0)");
+  EXPECT_EQ(what_blocks(known.ground(), {150.0, 50.0}, {250.0, 50.0}), "the edge of the mission area");
+}
+
+TEST(PlaceOnWay, IsWhereTheRobotIsWithoutAWay) {
+  const Known known = with_disc();
+  EXPECT_EQ(place_on_way(known.ground(), {}, {5.0, 5.0, 0.0}, 0.0, 10.0, {20.0, 30.0}, 7.0).place,
+            (Point{20.0, 30.0}));
+}
+
+TEST(WayProgress, GoesOnBeyondTheEnds) {
+  const std::vector<Point> way = {{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}};
+  EXPECT_DOUBLE_EQ(way_progress(way, {-4.0, 1.0}, -50.0, 50.0), -4.0);
+  EXPECT_DOUBLE_EQ(way_progress(way, {4.0, 1.0}, -50.0, 50.0), 4.0);
+  EXPECT_DOUBLE_EQ(way_progress(way, {11.0, 13.0}, -50.0, 50.0), 23.0);
+  EXPECT_EQ(way_point(way, -4.0), (Point{-4.0, 0.0}));
+  EXPECT_EQ(way_point(way, 23.0), (Point{10.0, 13.0}));
+}
+
+}  // namespace
+}  // namespace mlab::schema
