@@ -28,6 +28,7 @@ export function drawWatched(pen: Pen, model: Model, { styles, taken }: TopState)
   const close = details.slice(0, kMostDetailed);
   if (settings.layers.readings) for (const detail of close) drawReadings(pen, detail);
   if (settings.highlightObstacles) for (const detail of close) drawPerceived(pen, detail);
+  for (const detail of details) drawWays(pen, detail);
   for (const detail of details) drawGoal(pen, detail, styles);
   for (const detail of details) drawStation(pen, detail, styles);
   if (!settings.contributions) return [];
@@ -88,6 +89,27 @@ function drawPerceived(pen: Pen, detail: RobotDetail): void {
   }
 }
 
+/** The ways that its program has planned. */
+function drawWays(pen: Pen, detail: RobotDetail): void {
+  const values = toFloats(detail.ways);
+  const { context, palette } = pen;
+  let isFirst = true;
+  context.beginPath();
+  for (let i = 0; i + 1 < values.length; i += 2) {
+    const corner = { x: values[i]!, y: values[i + 1]! };
+    if (Number.isNaN(corner.x)) {
+      isFirst = true;
+      continue;
+    }
+    const at = screenOf(pen, corner);
+    if (isFirst) context.moveTo(at.x, at.y);
+    else context.lineTo(at.x, at.y);
+    isFirst = false;
+  }
+  stroke(pen, { color: palette.halo, width: 4 });
+  stroke(pen, { color: palette.goal, width: 1.75 });
+}
+
 function drawGoal(pen: Pen, detail: RobotDetail, styles: RobotStyles): void {
   if (!detail.goal) return;
   const { context, palette, camera } = pen;
@@ -95,7 +117,8 @@ function drawGoal(pen: Pen, detail: RobotDetail, styles: RobotStyles): void {
   const to = screenOf(pen, detail.goal);
   const away = distance(from, to);
   const body = styles.pixels(detail.id, camera.scale) * 0.7;
-  if (away > body + 8) {
+  const hasWay = detail.ways.length > 0;
+  if (away > body + 8 && !hasWay) {
     context.beginPath();
     context.moveTo(from.x + ((to.x - from.x) * body) / away, from.y + ((to.y - from.y) * body) / away);
     context.lineTo(to.x - ((to.x - from.x) * 7) / away, to.y - ((to.y - from.y) * 7) / away);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "mlab/console/published/overview.h"
 #include "mlab/console/published/wire.h"
+#include "mlab/flow/port_types.h"
 #include "mlab/mission/wording.h"
 
 namespace mlab::console {
@@ -101,6 +103,24 @@ void encode_readings(const run::MissionRun& run, const FleetRobot& robot, RobotD
   }
 }
 
+// What was planned last: a way that nobody follows now is still the one that was.
+void encode_ways(const flow::Program& program, const std::byte* frame, RobotDetail& out) {
+  struct Corner {
+    float x, y;
+  };
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  for (const flow::Port& port : program.ports()) {
+    if (port.role != flow::Port::Role::kOutput || port.type != &flow::type_info(flow::ValueType::kWay))
+      continue;
+    ways::PlannedWay way;
+    std::memcpy(&way, frame + port.offset, sizeof way);
+    if (way.count == 0) continue;
+    if (!out.ways().empty()) append(*out.mutable_ways(), Corner{kNone, kNone});
+    for (const geom::Point corner : way.points())
+      append(*out.mutable_ways(), Corner{static_cast<float>(corner.x), static_cast<float>(corner.y)});
+  }
+}
+
 void encode_program(const run::MissionRun& run, const FleetRobot& robot, const DetailWishes& wishes,
                     RobotDetail& out) {
   const flow::Program& program = *robot.workings().program;
@@ -112,6 +132,7 @@ void encode_program(const run::MissionRun& run, const FleetRobot& robot, const D
     told.set_x(part.weighted.x);
     told.set_y(part.weighted.y);
   }
+  encode_ways(program, robot.workings().frame, out);
   if (wishes.ports) encode_ports(robot, wishes, out);
   if (wishes.readings && robot.life == RobotLife::kRunning) encode_readings(run, robot, out);
 }

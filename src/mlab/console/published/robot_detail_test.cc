@@ -1,7 +1,9 @@
 #include "mlab/console/published/robot_detail.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +55,37 @@ TEST_F(Ports, ThatAreWantedAloneHaveTheValuesThatTheyHaveAmongAll) {
     }
   }
   EXPECT_LT(some.ByteSizeLong(), all.ByteSizeLong());
+}
+
+TEST(Ways, AreShownOfRobotsThatPlanThem) {
+  const auto run = testing::run_of(
+      "MISSION-AREA 1000 1000\n"
+      "OBSTACLE 400 100 20\n"
+      "NEW-ROBOT planner \"robot\" blue \"\" (plans_ways = true)\n"
+      "UNIT <pair> planner ROBOT\n"
+      "COMMAND LIST:\n"
+      "0. UNIT pair START 100 100 0 40\n"
+      "1. UNIT pair MOVETO 700 100 FORMATION Line\n");
+  run->post(mission::event::Execute{});
+  testing::step(*run, 20);
+  const Estimates estimates;
+  const auto ways = [&](std::size_t robot) {
+    RobotDetail out;
+    encode_detail(*run, estimates, run->fleet().robots()[robot], {}, out);
+    std::vector<float> numbers(out.ways().size() / sizeof(float));
+    std::memcpy(numbers.data(), out.ways().data(), numbers.size() * sizeof(float));
+    return numbers;
+  };
+  const std::vector<float> planned = ways(0);
+  ASSERT_GT(planned.size(), 8U);
+  EXPECT_EQ(planned.size() % 2, 0U);
+  EXPECT_EQ(std::ranges::count_if(planned, [](float number) { return std::isnan(number); }), 2)
+      << "the unit's and its own";
+  bool leads_to_goal = false;
+  for (std::size_t i = 0; i < planned.size(); i += 2)
+    leads_to_goal = leads_to_goal || (planned[i] == 700.0F && planned[i + 1] == 100.0F);
+  EXPECT_TRUE(leads_to_goal);
+  EXPECT_TRUE(ways(1).empty());
 }
 
 TEST_F(Ports, AreFoundByTheirPathsEachOnce) {
