@@ -1,0 +1,153 @@
+// The standard robot finds its way wherever there is one, alone and in formation, and says where there is
+// none.
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/run/mission_run.h"
+#include "mlab/simulated/run.h"
+
+namespace mlab {
+namespace {
+
+/// A run of a mission of one unit, and what was told in it.
+class Planned : public testing::Test {
+ protected:
+  struct Rock {
+    geom::Point center;
+    double radius = 0.0;
+  };
+
+  /// A bow of rocks that is open to the west, which lies between the start and the goal.
+  static std::vector<Rock> bow() {
+    std::vector<Rock> out;
+    for (int i = -6; i <= 6; ++i) {
+      const double angle = std::numbers::pi / 14.0 * i;
+      out.push_back({{260.0 + 60.0 * std::cos(angle), 200.0 + 60.0 * std::sin(angle)}, 8.0});
+    }
+    return out;
+  }
+
+  void make(const std::vector<Rock>& known, const std::string& parameters, int robots = 1,
+            const std::string& formation = "Column", const std::vector<Rock>& unknown = {}) {
+    std::string text = "MISSION-AREA 600 400\n";
+    for (const Rock& rock : known)
+      text += fmt::format("OBSTACLE {} {} {}\n", rock.center.x, rock.center.y, rock.radius);
+    text += fmt::format(
+        "NEW-ROBOT planner \"robot\" blue \"\" (navigation_noise_gain = 0.1, {})\nUNIT <team>", parameters);
+    for (int i = 0; i < robots; ++i) text += " planner";
+    text += fmt::format(
+        "\nCOMMAND LIST:\n0. UNIT team START 150 200 0 10\n1. UNIT team MOVETO 450 200 FORMATION {}\n",
+        formation);
+    text::Diagnostics sink;
+    const auto source = std::make_shared<const text::Source>("test.mdl", text);
+    const auto mission = mdl::check_mission(source, "", sink);
+    ASSERT_NE(mission, nullptr) << text::render(sink);
+    run::RunSettings settings;
+    settings.executive.patience = 60.0;
+    settings.executive.proceed_all = true;
+    overlay::EnvironmentEvent event;
+    event.start = 1.0;
+    for (const Rock& rock : unknown) event.changes.push_back(overlay::AddObstacle{rock.center, rock.radius});
+    if (!unknown.empty()) settings.environment.events.push_back(event);
+    run_ = simulated::make_run(mission, {}, settings, sink);
+    ASSERT_NE(run_, nullptr) << text::render(sink);
+    run_->set_observer([this](const mission::Effect& effect) {
+      if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) told_ += told->text + "\n";
+    });
+    run_->post(mission::event::Execute{});
+  }
+
+  /// Whether it is done.
+  bool go(int cycles = 6000) {
+    for (int i = 0; i < cycles && run_->step() != run::MissionRun::Progress::kOver; ++i) {
+    }
+    return run_->state().outcome == mission::Outcome::kDone;
+  }
+  unsigned contacts() const {
+    unsigned out = 0;
+    for (const fleet::FleetRobot& robot : run_->fleet().robots())
+      out += run_->world().body(robot.body).contacts;
+    return out;
+  }
+
+  std::unique_ptr<run::MissionRun> run_;
+  std::string told_;
+};
+
+TEST_F(Planned, ABowOfRocksHoldsOnlyWhoReacts) {
+  make(bow(), "plans_ways = false");
+  EXPECT_FALSE(go());
+  make(bow(), "plans_ways = true");
+  EXPECT_TRUE(go()) << told_;
+  EXPECT_EQ(contacts(), 0U);
+}
+
+TEST_F(Planned, WhatNobodyKnewOfIsRemembered) {
+  make({}, "plans_ways = true", 1, "Column", bow());
+  EXPECT_TRUE(go()) << told_;
+  EXPECT_EQ(contacts(), 0U);
+}
+
+TEST_F(Planned, AFormationGoesRoundAndOpensAgain) {
+  for (const char* formation : {"Column", "Line", "Wedge", "Diamond", "No-Formation", "Sweep"}) {
+    make(bow(), "plans_ways = true, formation_spacing = 20", 4, formation);
+    EXPECT_TRUE(go()) << formation << "\n" << told_;
+    EXPECT_EQ(contacts(), 0U) << formation;
+    const fleet::Group* const group = run_->fleet().group(run_->fleet().robots().front());
+    ASSERT_NE(group, nullptr);
+    EXPECT_LT(distance(group->center, {450.0, 200.0}), 10.0) << formation;
+  }
+}
+
+TEST_F(Planned, AClosedOffGoalIsToldAtOnceWithWhatIsInFront) {
+  std::vector<Rock> ring;
+  for (int i = 0; i < 24; ++i) {
+    const double angle = 2.0 * std::numbers::pi / 24.0 * i;
+    ring.push_back({{450.0 + 60.0 * std::cos(angle), 200.0 + 60.0 * std::sin(angle)}, 8.0});
+  }
+  make(ring, "plans_ways = true", 2);
+  EXPECT_FALSE(go(50));
+  EXPECT_NE(told_.find("no way to (450, 200) is known: an obstacle of radius 8.0 m at (39"),
+            std::string::npos)
+      << told_;
+  EXPECT_FALSE(go()) << "nobody gets in";
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_LT(distance(run_->fleet().pose(run_->fleet().robots().front()).position, {450.0, 200.0}), 110.0)
+      << "as near as they can";
+}
+
+TEST_F(Planned, AGoalThatSomethingStandsOnIsReachedBesideIt) {
+  make({{{450.0, 204.0}, 20.0}}, "plans_ways = true");
+  EXPECT_TRUE(go()) << told_;
+  EXPECT_NE(told_.find("something stands at (450, 200)"), std::string::npos) << told_;
+}
+
+TEST_F(Planned, ACheckpointKeepsWhatWasSensed) {
+  make({}, "plans_ways = true", 3, "Wedge", bow());
+  go(400);
+  const auto kept = run_->save();
+  ASSERT_TRUE(kept) << kept.error();
+  const auto places = [&] {
+    std::vector<geom::Point> out;
+    for (const fleet::FleetRobot& robot : run_->fleet().robots())
+      out.push_back(run_->fleet().pose(robot).position);
+    return out;
+  };
+  go(600);
+  const std::vector<geom::Point> first = places();
+  EXPECT_EQ(run_->restore(*kept), std::nullopt);
+  go(600);
+  EXPECT_EQ(places(), first);
+}
+
+}  // namespace
+}  // namespace mlab
