@@ -19,6 +19,8 @@ class Scanner {
       const bool is_ascii = static_cast<unsigned char>(text_[at_]) < 0x80;
       if (!is_ascii && (in_ == In::kNothing || (in_ == In::kLines && is_behind_slash_)))
         return Unfit{at_, "characters beyond ASCII are in comments and in quotes only"};
+      if (in_ == In::kNothing && is_quote(text_[at_]) && at_ > 0 && !may_stand_before_quotes(text_[at_ - 1]))
+        return Unfit{at_, "quotes begin where a key or a value does"};
       if (const auto head = head_without_key()) return Unfit{*head, "a table's head has a key behind `[`"};
       step(text_[at_]);
     }
@@ -48,6 +50,13 @@ class Scanner {
   static bool begins_key(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '"' || c == '\'';
+  }
+
+  static bool is_quote(char c) { return c == '"' || c == '\''; }
+  // Quotes right behind anything else open nothing for toml++, which reads on behind them as if they were not
+  // there.
+  static bool may_stand_before_quotes(char c) {
+    return std::string_view(" \t\n\v\f\r=[{,.\xbf\x85\xa8\xa9").contains(c);
   }
 
   void step(char c) {
@@ -110,7 +119,9 @@ class Scanner {
       is_behind_slash_ = true;
       go_on(in_, 1);
     } else if (is_here(quotes)) {
-      go_on(In::kNothing, 3);
+      std::size_t bytes = 3;  // and two that belong to the text
+      while (bytes < 5 && at_ + bytes < text_.size() && text_[at_ + bytes] == quotes.front()) ++bytes;
+      go_on(In::kNothing, bytes);
     } else {
       go_on(in_, 1);
     }
