@@ -107,6 +107,15 @@ PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& wa
   return out;
 }
 
+// Where a way leads at its ends. The last metres may only lead up to a goal that something stands near to.
+constexpr double kEnd = 20.0;  // [m]
+geom::Offset begin_direction(std::span<const geom::Point> way) {
+  return unit(route_point(way, kEnd) - way.front());
+}
+geom::Offset end_direction(std::span<const geom::Point> way) {
+  return unit(way.back() - route_point(way, route_length(way) - kEnd));
+}
+
 }  // namespace
 
 PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
@@ -198,8 +207,8 @@ std::string beside_goal_text(geom::Point last, geom::Point goal) {
 
 PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& way, geom::Vector station,
                         double in_file, double at, geom::Point here, double away) {
-  constexpr double kStep = 2.0;  // [m]
-  constexpr double kHalf = 5.0;  // of the piece of the way that says where it leads [m]
+  constexpr double kStep = 2.0;   // [m]
+  constexpr double kHalf = 10.0;  // of the piece of the way that says where it leads [m]
   const auto points = way.points();
   if (points.empty()) return {here, at};
   const double length = route_length(points);
@@ -230,9 +239,9 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
 
 geom::Point way_point(std::span<const geom::Point> way, double at) {
   if (way.size() < 2) return way.empty() ? geom::Point{} : way.front();
-  if (at < 0.0) return way[0] + unit(way[1] - way[0]) * at;
+  if (at < 0.0) return way.front() + begin_direction(way) * at;
   const double length = route_length(way);
-  if (at > length) return way.back() + unit(way.back() - way[way.size() - 2]) * (at - length);
+  if (at > length) return way.back() + end_direction(way) * (at - length);
   return route_point(way, at);
 }
 
@@ -274,9 +283,9 @@ double way_progress(std::span<const geom::Point> way, geom::Point p, double from
   if (way.size() < 2) return 0.0;
   const double length = route_length(way);
   const double at = nearest_way(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
-  if (at <= 0.0) return std::clamp(dot(p - way[0], unit(way[1] - way[0])), from, 0.0);
+  if (at <= 0.0) return std::clamp(dot(p - way.front(), begin_direction(way)), from, 0.0);
   if (at >= length) {
-    const double beyond = dot(p - way.back(), unit(way.back() - way[way.size() - 2]));
+    const double beyond = dot(p - way.back(), end_direction(way));
     return length + std::max(0.0, std::min(beyond, to - length));
   }
   return at;

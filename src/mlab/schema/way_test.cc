@@ -116,12 +116,17 @@ TEST(PlaceOnWay, IsWhereTheRobotIsWithoutAWay) {
 }
 
 TEST(WayProgress, GoesOnBeyondTheEnds) {
-  const std::vector<Point> way = {{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}};
-  EXPECT_DOUBLE_EQ(way_progress(way, {-4.0, 1.0}, -50.0, 50.0), -4.0);
-  EXPECT_DOUBLE_EQ(way_progress(way, {4.0, 1.0}, -50.0, 50.0), 4.0);
-  EXPECT_DOUBLE_EQ(way_progress(way, {11.0, 13.0}, -50.0, 50.0), 23.0);
+  const std::vector<Point> way = {{0.0, 0.0}, {50.0, 0.0}, {50.0, 50.0}};
+  EXPECT_DOUBLE_EQ(way_progress(way, {-4.0, 1.0}, -50.0, 150.0), -4.0);
+  EXPECT_DOUBLE_EQ(way_progress(way, {4.0, 1.0}, -50.0, 150.0), 4.0);
+  EXPECT_DOUBLE_EQ(way_progress(way, {51.0, 53.0}, -50.0, 150.0), 103.0);
   EXPECT_EQ(way_point(way, -4.0), (Point{-4.0, 0.0}));
-  EXPECT_EQ(way_point(way, 23.0), (Point{10.0, 13.0}));
+  EXPECT_EQ(way_point(way, 103.0), (Point{50.0, 53.0}));
+}
+
+TEST(WayProgress, GoesOnWhereTheWayLedNotItsLastStep) {
+  const std::vector<Point> way = {{0.0, 0.0}, {50.0, 0.0}, {49.0, 0.5}};
+  EXPECT_GT(way_point(way, 80.0).x, 70.0);
 }
 
 }  // namespace
