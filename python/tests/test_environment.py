@@ -154,9 +154,7 @@ class InMissions(unittest.TestCase):
 
     def test_outputs_are_held(self):
         patrol = mlab.load(PATROL)
-        run = patrol.run()
-        vector = next(path for path, port in run.robots[0].ports.items() if port.role == "output" and port.type == "Vector")
-        environment = mlab.Environment(patrol, observation=vector, action=vector)
+        environment = mlab.Environment(patrol, observation="motion", action="motion")
         environment.reset()
         observation = environment.step([[0.5, 0.25, 0.0]] * 2)[0]
         np.testing.assert_array_equal(observation, [[0.5, 0.25, 0.0]] * 2)

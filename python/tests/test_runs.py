@@ -142,13 +142,12 @@ class Runs(unittest.TestCase):
     def test_outputs_are_held_and_released(self):
         run = mlab.load(PATROL).run()
         run.step(5)
-        vectors = [path for path, port in run.robots[0].ports.items() if port.role == "output" and port.type == "Vector"]
-        run.hold(1, vectors[0], [0.5, -0.25])
+        run.hold(1, "motion", [0.5, -0.25])
         run.step(2)
-        np.testing.assert_array_equal(run.port(1, vectors[0]), [0.5, -0.25, 0.0])
+        np.testing.assert_array_equal(run.port(1, "motion"), [0.5, -0.25, 0.0])
         run.release(1)
         run.step(2)
-        self.assertFalse(np.array_equal(run.port(1, vectors[0]), [0.5, -0.25, 0.0]))
+        self.assertFalse(np.array_equal(run.port(1, "motion"), [0.5, -0.25, 0.0]))
 
     def test_an_operator_is_asked_and_answers(self):
         run = mlab.load(PATROL).run(proceed=False)

@@ -193,9 +193,10 @@ TEST_P(Mission, GivesTheSameReportThoughEveryFifthPacketIsLost) {
 }
 
 // In the order of the alphabet.
-const std::string kAllMissions[] = {"demo_c",    "forage",       "formation_study", "formations", "herd",
-                                    "minefield", "mrv2",         "patrol",          "rally",      "robot_lab",
-                                    "rover",     "split_rejoin", "squeeze",         "survey",     "ugv"};
+const std::string kAllMissions[] = {
+    "demo_c",    "forage",       "formation_study", "formations", "gap",          "herd",
+    "minefield", "mrv2",         "patrol",          "rally",      "random_field", "robot_lab",
+    "rover",     "split_rejoin", "squeeze",         "survey",     "ugv"};
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission, ::testing::ValuesIn(kAllMissions),
                          [](const auto& test) { return test.param; });

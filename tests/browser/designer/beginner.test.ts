@@ -111,6 +111,7 @@ test("the window of a server that was started anew with another token says what 
     await designer.page.getByText(/Open the address that mlab has printed/).waitFor();
     const fresh = await look(again.url);
     await fresh.page.locator("h1, h2").first().waitFor();
+    await fresh.leave(); // before its server goes
   } finally {
     await designer.leave();
     await again.stop();
