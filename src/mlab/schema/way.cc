@@ -233,8 +233,9 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     const geom::Point place = place_at(there);
     if (distance(place, here) >= away && site->clearing().is_free(place)) return {place, there};
   }
-  const geom::Point last = place_at(end);
-  return {site->clearing().nearest_free(last).value_or(last), end};
+  const auto last = site->clearing().nearest_free(place_at(end));
+  const bool is_there = last && !is_apart(way_point(points, std::clamp(end, 0.0, length)), *last);
+  return {is_there ? *last : way_point(points, std::max(0.0, length - in_file)), end};
 }
 
 geom::Point way_point(std::span<const geom::Point> way, double at) {

@@ -115,6 +115,23 @@ TEST(PlaceOnWay, IsWhereTheRobotIsWithoutAWay) {
             (Point{20.0, 30.0}));
 }
 
+TEST(PlaceOnWay, IsNeverBehindTheWallsOfACorner) {
+  Known known;
+  known.walls = {{{5.0, 5.0}, {5.0, 45.0}}, {{5.0, 5.0}, {45.0, 5.0}}};
+  known.revision = next_revision();
+  ways::PlannedWay way;
+  way.corners[0] = {20.0, 23.0};
+  way.corners[1] = {7.0, 7.0};
+  way.count = 2;
+  way.clearance = 1.45;
+  for (const double ahead : {0.0, 1.0, 2.0, 2.4, 2.6, 4.0, 9.0}) {
+    const Point place =
+        place_on_way(known.ground(), way, {ahead, 0.0, 0.0}, 3.0, 1e3, {20.0, 23.0}, 0.0).place;
+    EXPECT_GT(place.x, 6.0) << ahead;
+    EXPECT_GT(place.y, 6.0) << ahead;
+  }
+}
+
 TEST(WayProgress, GoesOnBeyondTheEnds) {
   const std::vector<Point> way = {{0.0, 0.0}, {50.0, 0.0}, {50.0, 50.0}};
   EXPECT_DOUBLE_EQ(way_progress(way, {-4.0, 1.0}, -50.0, 150.0), -4.0);
