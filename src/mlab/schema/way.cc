@@ -284,7 +284,7 @@ double way_progress(std::span<const geom::Point> way, geom::Point p, double from
   if (way.size() < 2) return 0.0;
   const double length = route_length(way);
   const double at = nearest_way(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
-  if (at <= 0.0) return std::clamp(dot(p - way.front(), begin_direction(way)), from, 0.0);
+  if (at <= 0.0) return std::min(std::max(dot(p - way.front(), begin_direction(way)), from), 0.0);
   if (at >= length) {
     const double beyond = dot(p - way.back(), end_direction(way));
     return length + std::max(0.0, std::min(beyond, to - length));

@@ -73,7 +73,7 @@ TEST(Ways, AreShownOfRobotsThatPlanThem) {
     RobotDetail out;
     encode_detail(*run, estimates, run->fleet().robots()[robot], {}, out);
     std::vector<float> numbers(out.ways().size() / sizeof(float));
-    std::memcpy(numbers.data(), out.ways().data(), numbers.size() * sizeof(float));
+    if (!numbers.empty()) std::memcpy(numbers.data(), out.ways().data(), numbers.size() * sizeof(float));
     return numbers;
   };
   const std::vector<float> planned = ways(0);
