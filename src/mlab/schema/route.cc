@@ -33,9 +33,9 @@ double nearest_way(std::span<const geom::Point> route, geom::Point p, double fro
     const double leg = geom::length(along);
     if (leg > 0.0 && start <= to && start + leg >= from) {
       const double projected = geom::dot(p - route[i - 1], along) / leg;
-      // The last digit of a sum may have the ends of the range change places.
-      const double way = std::min(std::max(projected, std::max(0.0, from - start)),
-                                  std::min(leg, std::max(0.0, to - start)));
+      const double low = std::max(0.0, from - start);
+      const double high = std::max(low, std::min(leg, to - start));  // the last digit of a sum may say less
+      const double way = std::clamp(projected, low, high);
       const double d = geom::distance(route[i - 1] + along * (way / leg), p);
       if (d < best_distance) {
         best_distance = d;
