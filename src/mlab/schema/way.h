@@ -73,7 +73,7 @@ int mates_before(const Readings& robots, const geom::Pose& pose, const ways::Pla
   return out;
 }
 
-/// The places of the walls that are nearest, nearest first; as many as there is room for.
+/// The nearest places of the walls within reach [m], nearest first; as many as there is room for.
 /// @return  how many
 std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,
                           std::span<geom::Point> out);
@@ -82,7 +82,8 @@ std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, 
 /// @param at         how far along the way one is [m]
 /// @param lookahead  the place is at most so much farther [m]
 geom::Point carrot_on(const ways::PlannedWay& way, geom::Point here, double at, double lookahead);
-/// As nearest_way, likewise: less than 0 behind its beginning, more than its length beyond its end.
+/// As nearest_way, on a way that goes straight on at both ends: less than 0 behind its beginning, more than
+/// its length beyond its end [m].
 double way_progress(std::span<const geom::Point> way, geom::Point p, double from, double to);
 
 }  // namespace mlab::schema
