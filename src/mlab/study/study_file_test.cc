@@ -23,19 +23,24 @@ std::string told(const std::string& text) {
 
 TEST(StudyFile, HasNothingThatItsParserDoesNotBear) {
   EXPECT_EQ(told("\xef\xbb\xbf# caf\xc3\xa9\nmission = \"caf\xc3\xa9.mdl\" # \xd0\x98\nruns = 2\n"), "");
+  EXPECT_EQ(told("mission = \"\"\"a\\\n  \xc3\xa9.mdl\"\"\"\nruns = 2\n"), "");
+  EXPECT_EQ(told("# a\xe2\x80\xa8\xd0\x98\nruns = 2\n"), "");
   EXPECT_EQ(told("mission = 'caf\xc3\xa9.mdl'\nruns = 2\n"), "");
   EXPECT_EQ(told("mission = \"\"\"a\\\n  b\xc3\xa9.mdl\"\"\"\nruns = 2\n"), "");
   EXPECT_EQ(told("mission = \"\"\"caf\xc3\xa9\"\"\"\"\"\nruns = 2\n"), "")
       << "two more quotes are of the text";
   for (const char* wrong :
        {"caf\xc3\xa9 = 1\n", "mission = 26-\xd0\x98\n", "mission = \"a.mdl\"\xc3\xa9\n",
-        "\xc2\xa0mission = \"a\"\n", "mission = \"\"\"a\\\n  \xc3\xa9.mdl\"\"\"\n",
-        "# a\xe2\x80\xa8\xd0\x98\n", "mission = \"a\n\xc3\xa9\n", "[[[\n", "mission = 26\"\"\"-\xd0\x98\n",
-        "mission = \"a\"\"\xc3\xa9\"\n", "runs = 2 # x\n [ .a]\n", "mission = 'a'\n[\n", "[]\n"}) {
+        "\xc2\xa0mission = \"a\"\n", "mission = \"a\n\xc3\xa9\n", "[[[\n", "mission = 26\"\"\"-\xd0\x98\n",
+        "mission = \"a\"\"\xc3\xa9\"\n", "runs = 26..\"\"\"-\xd0\x98\n", "runs = 2 # x\n [ .a]\n",
+        "mission = 'a'\n[\n", "[]\n"}) {
     const std::string said = told(wrong);
-    EXPECT_NE(said.find("can't stand here"), std::string::npos) << wrong << said;
+    EXPECT_NE(said.find("[no-toml]"), std::string::npos) << wrong << said;
     EXPECT_NE(said.find("study.toml:"), std::string::npos) << said;
   }
+  EXPECT_NE(told("runs = 2\n\n [ .a]\nseed = 1\n").find("study.toml:3:1: error: what stands here is no TOML"),
+            std::string::npos)
+      << told("runs = 2\n\n [ .a]\nseed = 1\n");
 }
 
 TEST(StudyFile, HasTheOptionsAsKeys) {
