@@ -68,6 +68,10 @@ class OverlayCompleter {
       object();
       return;
     }
+    if (rule.form == odl::Form::kObstacle) {
+      obstacle(words);
+      return;
+    }
     const bool is_named =
         rule.form == odl::Form::kName || rule.form == odl::Form::kFile || rule.form == odl::Form::kNamed;
     if (is_named && words == 0) return;  // a new name
@@ -114,6 +118,19 @@ class OverlayCompleter {
       out_.add("EXTENTS", "keyword", "points");
       return;
     }
+    statements();
+  }
+
+  void obstacle(std::size_t words) {
+    if (tokens_.back().keyword == Keyword::kSpeed) return;  // a number
+    out_.add("UTM", "keyword", "LAT degrees LON degrees");
+    const bool has_route = has(Keyword::kRoute);
+    if (has_route && !has(Keyword::kSpeed)) {
+      out_.add("SPEED", "keyword", "m/s");
+      return;
+    }
+    if (words < 3) return;
+    if (!has_route) out_.add("ROUTE", "keyword", "points");
     statements();
   }
 

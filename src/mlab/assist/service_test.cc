@@ -65,6 +65,7 @@ class ServiceTest : public ::testing::Test {
         "/// Turns on the spot.\nprocedure Vector Spin with\n  double [rad/s] rate = 1 in 0 .. 3;  ///< how "
         "fast\nheader\nbody\n  output = Vector{};\npend\n"
         "node a is Spin with rate = 2; nend\nnode b is WeightedSum with members = a; nend\n");
+    folder_.put("traffic.odl", "CONTROL MEASURES:\nOBSTACLE 1 2 3 ROUTE 4 5 SPEED 1\n");
     folder_.put("map.odl",
                 "CONTROL MEASURES:\nPP Charlie 10 10\nPL \"red line\" 0 0 20 20\n"
                 "BOUNDARY Field 0 0 99 0 99 99\n");
@@ -118,6 +119,8 @@ TEST_F(ServiceTest, TellsWhatThingsAre) {
   EXPECT_NE(hovered("m.mdl", "OUTSIDE").find("about to leave"), std::string::npos);
   EXPECT_NE(hovered("m.mdl", "HOLD").find("it stands until"), std::string::npos);
   EXPECT_NE(hovered("map.odl", "PP").find("passage point"), std::string::npos);
+  EXPECT_NE(hovered("traffic.odl", "ROUTE").find("there and back"), std::string::npos);
+  EXPECT_NE(hovered("traffic.odl", "SPEED").find("m/s"), std::string::npos);
 }
 
 TEST_F(ServiceTest, KnowsWhoASocietyIs) {

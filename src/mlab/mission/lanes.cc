@@ -27,7 +27,7 @@ bool is_free(const overlay::Overlay& map, geom::Point place, double clearance) {
   const bool inside = place.x >= clearance && place.y >= clearance && place.x <= area.width - clearance &&
                       place.y <= area.height - clearance;
   return inside && std::ranges::none_of(map.obstacles, [&](const overlay::ObstacleDisc& disc) {
-           return geom::distance(disc.center, place) < disc.radius + clearance;
+           return !disc.is_moving() && geom::distance(disc.center, place) < disc.radius + clearance;
          });
 }
 

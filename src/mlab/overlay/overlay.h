@@ -35,6 +35,11 @@ struct ObstacleDisc {
   double radius = 0.0;  ///< [m], > 0
   double height = 0.0;  ///< [m]; 0: none said
   text::Place place;
+  /// Where it goes from its centre, which is not among them, at an even speed; empty: it stands.
+  std::vector<geom::Point> route = {};
+  double speed = 0.0;  ///< [m/s], > 0 where it moves
+
+  bool is_moving() const { return !route.empty(); }
 };
 
 enum class ObjectStyle : std::uint8_t { kFixed, kMovable, kContainer };

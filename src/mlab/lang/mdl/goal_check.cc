@@ -55,7 +55,7 @@ const overlay::ObstacleDisc* GoalCheck::obstacle_at(geom::Point p, double radius
   visits_ += mission_.overlay.obstacles.size();
   if (visits_ > kMaxThingVisits) return nullptr;
   const auto found = std::ranges::find_if(mission_.overlay.obstacles, [&](const overlay::ObstacleDisc& one) {
-    return geom::distance(p, one.center) < one.radius + radius;
+    return !one.is_moving() && geom::distance(p, one.center) < one.radius + radius;
   });
   return found == mission_.overlay.obstacles.end() ? nullptr : &*found;
 }

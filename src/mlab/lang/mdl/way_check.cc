@@ -27,6 +27,8 @@ WayCheck::WayCheck(const mission::Mission& mission, text::Diagnostics& diagnosti
   const overlay::Area area = mission.overlay.mission_area();
   ground_.bounds = {0.0, 0.0, area.width, area.height};
   for (const overlay::ObstacleDisc& one : mission.overlay.obstacles) {
+    if (one.is_moving()) continue;
+    obstacles_.push_back(&one);
     ground_.discs.push_back({one.center, one.radius});
     if (ground_.discs.size() > kMostThings) return;
   }
@@ -91,7 +93,7 @@ bool WayCheck::check(const mission::UnitCommand& command, geom::Point from, doub
 
 void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const {
   if (thing < ground_.discs.size()) {
-    const text::Place& place = mission_.overlay.obstacles[thing].place;
+    const text::Place& place = obstacles_[thing]->place;
     if (place.source) warning.notes.push_back({"this obstacle is in the way", place});
     return;
   }

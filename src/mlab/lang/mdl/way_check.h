@@ -40,6 +40,7 @@ class WayCheck {
   const mission::Mission& mission_;
   text::Diagnostics& diagnostics_;
   ways::Ground ground_;
+  std::vector<const overlay::ObstacleDisc*> obstacles_;        // by disc of the ground; they stand
   std::vector<const overlay::ControlMeasure*> measures_;       // by wall of the ground: of what it is a piece
   std::map<double, std::unique_ptr<ways::Planner>> planners_;  // by clearance
   std::uint64_t effort_ = 0;                                   // so far, as Planner::effort

@@ -12,6 +12,7 @@
 #include "mlab/lang/odl/limits.h"
 #include "mlab/lang/odl/odl.h"
 #include "mlab/lang/odl/parser.h"
+#include "mlab/overlay/course.h"
 #include "mlab/overlay/utm.h"
 #include "mlab/text/shown.h"
 
@@ -98,6 +99,8 @@ class Applier {
       case Keyword::kCenterline:
       case Keyword::kWidth:
       case Keyword::kExtents:
+      case Keyword::kRoute:
+      case Keyword::kSpeed:
       case Keyword::kMovable:
       case Keyword::kFixed:
       case Keyword::kContainer:
@@ -121,13 +124,14 @@ class Applier {
     return std::nullopt;
   }
 
-  std::optional<double> above_zero(const NumberSyntax& number, std::string_view what) {
-    if (number.value > 0.0 && number.value <= kMaxCoordinate) return number.value;
+  std::optional<double> above_zero(const NumberSyntax& number, std::string_view what,
+                                   double high = kMaxCoordinate) {
+    if (number.value > 0.0 && number.value <= high) return number.value;
     const std::string_view written = source_->text(number.span);
     sink_
         .error("number-out-of-range", place_of(number.span),
                fmt::format("`{}` is out of range", text::shown(written)))
-        .label = fmt::format("{} is above 0 and at most {:g}", what, kMaxCoordinate);
+        .label = fmt::format("{} is above 0 and at most {:g}", what, high);
     return std::nullopt;
   }
 
@@ -308,8 +312,24 @@ class Applier {
     std::optional<double> height = 0.0;
     if (s.numbers.size() > 1)
       height = in_range(s.numbers[1], -kMaxCoordinate, kMaxCoordinate, "a height in metres");
-    if (!at || !radius || !height) return;
-    into_.obstacles.push_back({*at, *radius, std::max(*height, 0.0), place_of(s.span)});
+    auto route = points(s.route);
+    const auto speed = s.speed ? above_zero(*s.speed, "the speed of an obstacle in m/s", kMaxObstacleSpeed)
+                               : std::optional(0.0);
+    if (!at || !radius || !height || !route || !speed || !leads_somewhere(s, *at, *route)) return;
+    into_.obstacles.push_back(
+        {*at, *radius, std::max(*height, 0.0), place_of(s.span), std::move(*route), *speed});
+  }
+
+  bool leads_somewhere(const Statement& s, geom::Point from, const std::vector<geom::Point>& route) {
+    if (route.empty()) return true;
+    const double length = distance(from, route.front()) + overlay::length_of(route);
+    if (length >= overlay::Course::kShortest) return true;
+    sink_
+        .error("route-without-length", place_of({s.route.front().x.span.begin, s.route.back().y.span.end}),
+               "a route that leads nowhere")
+        .label = fmt::format("it is at least {:g} m long; without `ROUTE` an obstacle stands",
+                             overlay::Course::kShortest);
+    return false;
   }
 
   void add_object(const Statement& s, overlay::ObjectStyle style, std::string color,

@@ -75,7 +75,8 @@ std::vector<Rule> all_rules() {
            "OBJECT x y diameter MOVABLE|FIXED|CONTAINER color"},
       spot(kBasket, 0, 1, "a diameter", "BASKET x y [diameter]"),
       spot(kFlag, 0, 1, "a diameter", "FLAG x y [diameter]"),
-      spot(kObstacle, 1, 2, "the radius", "OBSTACLE x y radius [height]"),
+      Rule{kObstacle, Form::kObstacle, 1, 1, 1, 2, "the radius",
+           "OBSTACLE x y radius [height] [ROUTE x y ... SPEED number]"},
       word(kWaypointFile, "WAYPOINT-FILE file"),
   };
   for (const MeasureInfo& measure : overlay::kMeasures) out.push_back(measure_rule(measure));

@@ -155,6 +155,30 @@ TEST(OdlObstacle, HasARadiusAndPerhapsAHeight) {
   EXPECT_EQ(o.obstacles[1].height, 7.0);
 }
 
+TEST(OdlObstacle, MayMoveAlongARoute) {
+  const Overlay o =
+      features("OBSTACLE 1 2 3 ROUTE 4 5 6 7 SPEED 1.5\nobstacle 4 5 6 7 route 8 9 speed 100 OBSTACLE 0 0 1");
+  ASSERT_EQ(o.obstacles.size(), 3U);
+  EXPECT_EQ(o.obstacles[0].route, (std::vector<geom::Point>{{4, 5}, {6, 7}}));
+  EXPECT_EQ(o.obstacles[0].speed, 1.5);
+  EXPECT_EQ(o.obstacles[0].height, 0.0);
+  EXPECT_TRUE(o.obstacles[0].is_moving());
+  EXPECT_EQ(o.obstacles[1].height, 7.0);
+  EXPECT_EQ(o.obstacles[1].route.size(), 1U);
+  EXPECT_EQ(o.obstacles[1].speed, 100.0);
+  EXPECT_FALSE(o.obstacles[2].is_moving());
+}
+
+TEST(OdlObstacle, MayMoveBetweenPointsInDegrees) {
+  const Loaded l = load(
+      "ORIGIN UTM LAT 33.7774 LON -84.3973 CONTROL MEASURES: PP a UTM LAT 33.7783 LON -84.3962 OBSTACLE 1 2 "
+      "3 "
+      "ROUTE UTM LON -84.3962 LAT 33.7783 4 5 SPEED .1");
+  ASSERT_EQ(l.overlay.obstacles.size(), 1U);
+  EXPECT_EQ(l.overlay.obstacles[0].route,
+            (std::vector<geom::Point>{l.overlay.measures[0].points[0], {4, 5}}));
+}
+
 TEST(OdlObjects, HaveTheirStyleAndColor) {
   const Overlay o = features(
       "OBJECT 1 2 0.5 Container red\nATTRACTOR 1 2\nBASKET 1 2\nFLAG 1 2\nOBJECT 1 2 0.5 MOVABLE \"light "
@@ -171,10 +195,12 @@ TEST(OdlObjects, HaveTheirStyleAndColor) {
 }
 
 TEST(OdlOrigin, IsAddedToEveryPlainPointAndTheLastOneCounts) {
-  const Loaded l =
-      load("ORIGIN 1 1 ORIGIN -185 -170 CONTROL MEASURES: PP a 200 180 OBSTACLE 0 0 1 ATTRACTOR 185 170");
+  const Loaded l = load(
+      "ORIGIN 1 1 ORIGIN -185 -170 CONTROL MEASURES: PP a 200 180 OBSTACLE 0 0 1 ROUTE 5 0 SPEED 1 "
+      "ATTRACTOR 185 170");
   EXPECT_EQ(l.overlay.measures[0].points[0], (geom::Point{15, 10}));
   EXPECT_EQ(l.overlay.obstacles[0].center, (geom::Point{-185, -170}));
+  EXPECT_EQ(l.overlay.obstacles[0].route[0], (geom::Point{-180, -170}));
   EXPECT_EQ(l.overlay.objects[0].center, (geom::Point{0, 0}));
   EXPECT_EQ(l.overlay.origin, (geom::Offset{-185, -170}));
 }

@@ -228,7 +228,7 @@ class Parser {
     if (!starts_statement(token.keyword)) return false;
     if (token.starts_line) return true;
     const Form form = rule_of(token.keyword).form;
-    if (form == Form::kValues || form == Form::kObject) return is_value(peek(1));
+    if (form == Form::kValues || form == Form::kObject || form == Form::kObstacle) return is_value(peek(1));
     if (form == Form::kNamed) return is_name(peek(1)) && is_value(peek(2));
     return form == Form::kHallway ? peek(2).keyword == Keyword::kCenterline : is_name(peek(1));
   }
@@ -253,6 +253,8 @@ class Parser {
         return expect(Keyword::kZoomFactor) && parse_values(out);
       case Form::kObject:
         return parse_values(out) && parse_style(out) && parse_name(out.name, false);
+      case Form::kObstacle:
+        return parse_values(out) && parse_route(out);
       case Form::kHallway:
         return parse_hallway(out);
     }
@@ -325,6 +327,15 @@ class Parser {
     return parse_name(out.name, false) && expect(Keyword::kCenterline) && parse_points(out.centerline) &&
            expect(Keyword::kWidth) && parse_number("the width", out) && expect(Keyword::kExtents) &&
            parse_points(out.points);
+  }
+
+  bool parse_route(Statement& out) {
+    if (peek().keyword != Keyword::kRoute) return true;
+    ++at_;
+    if (!parse_points(out.route) || !expect(Keyword::kSpeed)) return false;
+    if (peek().kind != TokenKind::kNumber) return fail_expected("expected-number", "the speed");
+    out.speed = number();
+    return !is_value(peek()) || fail_too_many();
   }
 
   bool parse_points(std::vector<PointSyntax>& out) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "mlab/lang/odl/odl.h"
@@ -73,17 +74,15 @@ class Printer {
   }
 
   void print_tokens(const Statement& statement) {
-    auto next_center = statement.centerline.begin();
-    auto next_point = statement.points.begin();
+    const std::array lists = {&statement.centerline, &statement.points, &statement.route};
+    std::array<std::size_t, lists.size()> next{};
     for (auto i = statement.first_token; i < statement.end_token; ++i) {
       if (i > statement.first_token) print_inner_comments(tree_.tokens[i]);
       std::size_t group = text_of(i).size();
-      for (auto* next : {&next_center, &next_point}) {
-        const auto end = next == &next_center ? statement.centerline.end() : statement.points.end();
-        if (*next == end || (*next)->first_token != i) continue;
-        group = point_length(i, **next);
+      for (std::size_t list = 0; list < lists.size(); ++list) {
+        if (next[list] == lists[list]->size() || (*lists[list])[next[list]].first_token != i) continue;
+        group = point_length(i, (*lists[list])[next[list]++]);
         if (tree_.tokens[i].starts_line) continue_line();
-        ++*next;
       }
       if (out_.size() - line_begin_ + 1 + group > kLineWidth && i > statement.first_token) continue_line();
       separate();

@@ -49,6 +49,15 @@ TEST(OdlPrint, BreaksLongLinesBetweenPoints) {
   EXPECT_EQ(out.find("1234.5\n"), std::string::npos);
 }
 
+TEST(OdlPrint, BreaksLongRoutesBetweenPoints) {
+  std::string text = "SITE x CONTROL MEASURES: OBSTACLE 1 2 3 ROUTE";
+  for (int i = 0; i < 30; ++i) text += " 1234.5 6789.1";
+  const std::string out = formatted(text + " SPEED 2");
+  EXPECT_EQ(out.find("1234.5\n"), std::string::npos);
+  EXPECT_NE(out.find("6789.1\n    1234.5"), std::string::npos);
+  EXPECT_TRUE(out.ends_with(" SPEED 2\n"));
+}
+
 TEST(OdlPrint, KeepsBrokenStatementsAsTheyAre) {
   EXPECT_EQ(formatted("SITE x\nCONTROL MEASURES:\nPP  a   1 -- why\n  two\npp b 1 2\n"),
             "SITE x\n\nCONTROL MEASURES:\n\nPP  a   1 -- why\n  two\nPP b 1 2\n");
@@ -68,20 +77,22 @@ std::string random_overlay() {
                                                         "HEIGHTMAP a.hm 8 6 1 1",
                                                         "LOAD-MAP \"x\"",
                                                         "Scenario DOOR"};
-  static const std::vector<std::string> kFeatures = {"PP a* 1 2",
-                                                     "pp \"b*\" 1 2 3",
-                                                     "AA c 1 2 3 4 5 6",
-                                                     "Gap Door 1 2 3 4 5",
-                                                     "BOUNDARY \"\" 1 2 3 4",
-                                                     "OBSTACLE 1 2 3 4",
-                                                     "OBJECT 1 2 3 Fixed red",
-                                                     "ATTRACTOR 1 2",
-                                                     "HALLWAY h CENTERLINE 1 2 3 4 WIDTH 5 EXTENTS 6 7 8 9",
-                                                     "LD/LC e 1 2",
-                                                     "ROAD r 1 2 3 4 5",
-                                                     "PL u UTM LAT 33.7 LON -84.4 UTM LON -84.4 LAT 33.7",
-                                                     "SP s 1 2",
-                                                     "WAYPOINT-FILE \"w\""};
+  static const std::vector<std::string> kFeatures = {
+      "PP a* 1 2",
+      "pp \"b*\" 1 2 3",
+      "AA c 1 2 3 4 5 6",
+      "Gap Door 1 2 3 4 5",
+      "BOUNDARY \"\" 1 2 3 4",
+      "OBSTACLE 1 2 3 4",
+      "obstacle 1 2 3 Route 4 5 UTM LAT 33.7 LON -84.4 6 7 speed 1.5",
+      "OBJECT 1 2 3 Fixed red",
+      "ATTRACTOR 1 2",
+      "HALLWAY h CENTERLINE 1 2 3 4 WIDTH 5 EXTENTS 6 7 8 9",
+      "LD/LC e 1 2",
+      "ROAD r 1 2 3 4 5",
+      "PL u UTM LAT 33.7 LON -84.4 UTM LON -84.4 LAT 33.7",
+      "SP s 1 2",
+      "WAYPOINT-FILE \"w\""};
   static const std::vector<std::string> kSpaces = {
       " ",      "\n",      "\n\n",
       "\n\n\n", " -- c\n", "\n-- own line\n",

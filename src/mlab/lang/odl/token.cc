@@ -25,7 +25,8 @@ constexpr std::array kBehindMeasures = {
     Word{Keyword::kObject, "OBJECT", "", "something that robots perceive, and perhaps carry"},
     Word{Keyword::kBasket, "BASKET", "", "takes what robots bring"},
     Word{Keyword::kFlag, "FLAG", "", "a flag"},
-    Word{Keyword::kObstacle, "OBSTACLE", "", "`OBSTACLE x y radius [height]`: solid"},
+    Word{Keyword::kObstacle, "OBSTACLE", "",
+         "`OBSTACLE x y radius [height] [ROUTE x y ... SPEED number]`: solid"},
     Word{Keyword::kWaypointFile, "WAYPOINT-FILE", "", "`WAYPOINT-FILE file`: features from another file"},
     Word{Keyword::kUtm, "UTM", "", "the point in degrees: `UTM LAT degrees LON degrees`"},
     Word{Keyword::kLat, "LAT", "", "degrees north"},
@@ -36,6 +37,9 @@ constexpr std::array kBehindMeasures = {
     Word{Keyword::kCenterline, "CENTERLINE", "", "the middle of a hallway"},
     Word{Keyword::kWidth, "WIDTH", "", "of a hallway, in metres"},
     Word{Keyword::kExtents, "EXTENTS", "", "the outline of a hallway"},
+    Word{Keyword::kRoute, "ROUTE", "",
+         "where an obstacle goes, there and back; round and round where it ends at x y"},
+    Word{Keyword::kSpeed, "SPEED", "", "of an obstacle along its route, in m/s"},
     Word{Keyword::kZoomFactor, "ZOOM-FACTOR", "", "10 to 400 per cent"},
 };
 static_assert(kBeforeFeatures.size() + kBehindMeasures.size() + 1 ==

@@ -40,6 +40,8 @@ enum class Keyword : std::uint8_t {
   kCenterline,
   kWidth,
   kExtents,
+  kRoute,
+  kSpeed,
   kMovable,
   kFixed,
   kContainer,

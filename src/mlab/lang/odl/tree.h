@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct Statement {
   NameSyntax name;  ///< also the file of LOAD-MAP, HEIGHTMAP, WAYPOINT-FILE; the color of OBJECT
   std::vector<PointSyntax> points;  ///< of HALLWAY: its extents; of ORIGIN: the one point
   std::vector<PointSyntax> centerline;
+  std::vector<PointSyntax> route;     ///< of OBSTACLE; empty: it stands
+  std::optional<NumberSyntax> speed;  ///< where it has a route
   std::vector<NumberSyntax> numbers;  ///< those that are not coordinates, in file order
   overlay::ObjectStyle style = overlay::ObjectStyle::kFixed;
 };

@@ -54,6 +54,15 @@ class Writer {
         add(keyword_of(statement_.style));
         add(statement_.name);
         break;
+      case Form::kObstacle:
+        add(statement_.points);
+        add_numbers();
+        if (statement_.route.empty()) break;
+        add(Keyword::kRoute);
+        add(statement_.route);
+        add(Keyword::kSpeed);
+        add(statement_.speed.value_or(NumberSyntax{}));
+        break;
       case Form::kSet:
         add(Keyword::kZoomFactor);
         add_numbers();

@@ -31,7 +31,8 @@ TEST(OdlWrite, LeavesWhatIsNotChangedAsItIsWritten) {
   for (const char* text :
        {"control measures:\nhallway  \"a b\"* Centerline 1.0 2 -- c\n 3 4 width 5 extents 1 2",
         "CONTROL MEASURES: Object 1 2 3.00 fixed  red", "CONTROL MEASURES: pp a utm lon -84.3 lat 33.7 +12",
-        "mission-area 1e2 200", "SET Zoom-Factor 50", "SCENARIO \"x\"", "HEIGHTMAP h.pgm 1 2 3 4"}) {
+        "CONTROL MEASURES: obstacle 1.0 2 3, 4 route 5 6 7 08  -- there\n speed 1.50", "mission-area 1e2 200",
+        "SET Zoom-Factor 50", "SCENARIO \"x\"", "HEIGHTMAP h.pgm 1 2 3 4"}) {
     EXPECT_EQ(after(text, [](Statement&) {}), text);
   }
 }
@@ -54,6 +55,19 @@ TEST(OdlWrite, PrintsANewStatement) {
   now.name = {"a", true, {}};
   now.points = {{.x = {1.5, {}}, .y = {-2.0, {}}}};
   EXPECT_EQ(print(now), "PP a* 1.5 -2");
+}
+
+TEST(OdlWrite, WritesTheRouteOfAnObstacle) {
+  Statement now;
+  now.keyword = Keyword::kObstacle;
+  now.points = {{.x = {1.5, {}}, .y = {-2.0, {}}}};
+  now.numbers = {{3.0, {}}};
+  now.route = {{.x = {4.0, {}}, .y = {5.0, {}}}, {.x = {6.0, {}}, .y = {7.0, {}}}};
+  now.speed = NumberSyntax{1.25, {}};
+  EXPECT_EQ(print(now), "OBSTACLE 1.5 -2 3 ROUTE 4 5 6 7 SPEED 1.25");
+  EXPECT_EQ(after("CONTROL MEASURES: obstacle 1 2 3 route 4 5 -- there\n 6 7 speed 1.50",
+                  [](Statement& changed) { changed.route[1].x = {8.0, {}}; }),
+            "CONTROL MEASURES: obstacle 1 2 3 route 4 5 -- there\n 8 7 speed 1.50");
 }
 
 TEST(OdlWrite, WritesNumbersBriefly) {

@@ -37,8 +37,11 @@ std::string meaning_of(const Tree& tree) {
     }
     out += '\n';
   }
-  for (const auto& d : o.obstacles)
-    out += fmt::format("{} {} {} {}\n", d.center.x, d.center.y, d.radius, d.height);
+  for (const auto& d : o.obstacles) {
+    out += fmt::format("{} {} {} {} {}", d.center.x, d.center.y, d.radius, d.height, d.speed);
+    for (const geom::Point& p : d.route) out += fmt::format(" {},{}", p.x, p.y);
+    out += '\n';
+  }
   for (const auto& w : o.objects) {
     out += fmt::format("{} {} {} {} {}\n", w.center.x, w.center.y, w.diameter, static_cast<int>(w.style),
                        w.color);
