@@ -17,6 +17,10 @@ namespace mlab::percept {
 struct Obstacle {
   geom::Vector center;  ///< [m, robot frame]
   double radius = 0.0;  ///< [m]
+  geom::Vector velocity =
+      {};  ///< over the ground, whatever the robot does itself [m/s, robot frame]; 0: it stands
+
+  constexpr bool is_moving() const { return !(velocity == geom::Vector{}); }
 };
 
 /// The kinds of things that a robot tells apart by colour. A value is a bit number of an ObjectClasses mask.

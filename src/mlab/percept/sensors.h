@@ -29,7 +29,8 @@ inline constexpr std::array kSensors = {
         Sensor::kObstacles, "obstacles", false, false, "obstacles",
         "every disc whose centre is within range + radius, exactly; discs hide nothing. Walls: 16 rays, "
         "22.5 degrees apart from the heading, from the robot's centre; the nearest hit of each within "
-        "range as a disc of 0.1 m at the place that was hit. Sorted by distance of the edge"},
+        "range as a disc of 0.1 m at the place that was hit. Those that move have their `velocity`, over the "
+        "ground, in the robot's frame. Sorted by distance of the edge"},
     SensorInfo{
         Sensor::kRobots, "robots", false, false, "robots",
         "all others with their centre within range, unless a wall crosses the line between the centres. "
@@ -38,7 +39,8 @@ inline constexpr std::array kSensors = {
         Sensor::kObjects, "objects", false, false, "objects",
         "objects, robots and obstacles with their centre in range and in the camera's field of view, not "
         "behind a wall; nothing that is carried or lies in a basket. Sorted by distance of the edge. "
-        "Robots and obstacles have ids of their own ranges (`kRobotObjectBase`, `kDiscObjectBase`)"},
+        "Robots and obstacles have ids of their own ranges (`kRobotObjectBase`, `kDiscObjectBase`, "
+        "`kRoamerObjectBase` of those that move)"},
     SensorInfo{
         Sensor::kRanges, "ranges", true, false, "range sensors",
         "a ring of `count` beams, beam i at first_angle + i 2 pi / count (with an `arc`: spread over it, "

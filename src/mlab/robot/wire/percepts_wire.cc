@@ -1,6 +1,9 @@
 #include "mlab/robot/wire/percepts_wire.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -28,12 +31,24 @@ geom::Pose pose_of(const wire::Pose& message) {
   return {{message.x(), message.y()}, message.heading()};
 }
 
+// Also of -0, so that every bit arrives.
+bool is_telling_velocity(const percept::Obstacle& obstacle) {
+  const auto& [x, y, z] = obstacle.velocity;
+  return (std::bit_cast<std::uint64_t>(x) | std::bit_cast<std::uint64_t>(y) |
+          std::bit_cast<std::uint64_t>(z)) != 0;
+}
+
 void encode(std::span<const percept::Obstacle> obstacles, wire::Obstacles& out) {
-  for (const auto& [center, radius] : obstacles) {
+  const bool any_moves = std::ranges::any_of(obstacles, is_telling_velocity);
+  for (const auto& [center, radius, velocity] : obstacles) {
     out.add_x(center.x);
     out.add_y(center.y);
     out.add_z(center.z);
     out.add_radius(radius);
+    if (!any_moves) continue;
+    out.add_velocity_x(velocity.x);
+    out.add_velocity_y(velocity.y);
+    out.add_velocity_z(velocity.z);
   }
 }
 
@@ -266,9 +281,16 @@ std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts
   const wire::Obstacles& obstacles = message.obstacles();
   if (!are(obstacles.x_size(), obstacles.y_size(), obstacles.z_size(), obstacles.radius_size()))
     return "the columns of the obstacles are not equally long";
+  const int told = obstacles.velocity_x_size();
+  if (!are(told, obstacles.velocity_y_size(), obstacles.velocity_z_size()) ||
+      (told != 0 && told != obstacles.x_size()))
+    return "the columns of the obstacles are not equally long";
   obstacles_.clear();
-  for (int i = 0; i < obstacles.x_size(); ++i)
-    obstacles_.push_back({{obstacles.x(i), obstacles.y(i), obstacles.z(i)}, obstacles.radius(i)});
+  for (int i = 0; i < obstacles.x_size(); ++i) {
+    geom::Vector velocity;
+    if (told != 0) velocity = {obstacles.velocity_x(i), obstacles.velocity_y(i), obstacles.velocity_z(i)};
+    obstacles_.push_back({{obstacles.x(i), obstacles.y(i), obstacles.z(i)}, obstacles.radius(i), velocity});
+  }
 
   const wire::Robots& robots = message.robots();
   if (!are(robots.x_size(), robots.y_size(), robots.z_size(), robots.id_size(), robots.heading_size(),

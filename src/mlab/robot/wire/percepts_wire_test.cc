@@ -1,6 +1,7 @@
 #include "mlab/robot/wire/percepts_wire.h"
 
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -38,6 +39,21 @@ TEST(PerceptsWire, KeepsTheSignOfAZero) {
   EXPECT_TRUE(testing::same(decoded.percepts().time, -0.0));
 }
 
+TEST(PerceptsWire, TellsVelocitiesOnlyWhereSomethingMoves) {
+  std::vector<percept::Obstacle> obstacles{{{1.0, 2.0}, 0.5}, {{3.0, 4.0}, 0.5}};
+  percept::Percepts percepts;
+  percepts.obstacles = obstacles;
+  wire::Percepts message;
+  encode(percepts, message);
+  EXPECT_EQ(message.obstacles().velocity_x_size(), 0);
+  obstacles[1].velocity = {-0.0, 1.5, 0.0};
+  encode(percepts, message);
+  EXPECT_EQ(message.obstacles().velocity_x_size(), 2);
+  DecodedPercepts decoded;
+  ASSERT_FALSE(decoded.decode(message));
+  EXPECT_TRUE(testing::same(decoded.percepts(), percepts));
+}
+
 TEST(PerceptsWire, RefusesColumnsOfDifferentLengths) {
   const auto problem = [](auto change) {
     wire::Percepts message;
@@ -46,6 +62,21 @@ TEST(PerceptsWire, RefusesColumnsOfDifferentLengths) {
     return decoded.decode(message).value_or("none");
   };
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_obstacles()->add_x(1.0); }),
+            "the columns of the obstacles are not equally long");
+  EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_obstacles()->add_velocity_x(1.0); }),
+            "the columns of the obstacles are not equally long");
+  EXPECT_EQ(problem([](wire::Percepts& m) {
+              wire::Obstacles& obstacles = *m.mutable_obstacles();
+              for (int i = 0; i < 2; ++i) {
+                obstacles.add_x(i);
+                obstacles.add_y(i);
+                obstacles.add_z(i);
+                obstacles.add_radius(i);
+              }
+              obstacles.add_velocity_x(1.0);
+              obstacles.add_velocity_y(1.0);
+              obstacles.add_velocity_z(1.0);
+            }),
             "the columns of the obstacles are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_robots()->add_is_unit_mate(true); }),
             "the columns of the robots are not equally long");
