@@ -17,6 +17,13 @@ struct Disc {
   double radius = 0.0;  ///< [m], >= 0
 };
 
+/// A disc that moves along a way of its own and stops for nobody, where it is now.
+struct MovingDisc {
+  geom::Point center;     ///< [m]
+  double radius = 0.0;    ///< [m], >= 0
+  geom::Offset velocity;  ///< [m/s]
+};
+
 /// A straight piece of something solid without thickness. Pieces of the same group are one thing where
 /// contacts are counted: sliding from one to the next is no new contact.
 struct Wall {
@@ -50,6 +57,7 @@ struct BodyState {
   std::uint32_t contacts = 0;    ///< how often it met something solid or another body
   bool in_contact = false;       ///< it met something within the last kSameContact
   base::ObjectId carried;        ///< 0: nothing
+  std::uint32_t run_over = 0;    ///< how often something that moves met it which it did not drive into
 };
 
 /// The world as who looks on sees it: consoles, reports, plots. It only reads, between two cycles, on one
@@ -61,7 +69,9 @@ class WorldView {
   WorldView& operator=(const WorldView&) = delete;
   virtual ~WorldView() = default;
 
-  virtual std::span<const Disc> discs() const = 0;
+  virtual std::span<const Disc> discs() const = 0;  ///< those that stand
+  /// None where it is not known where they are.
+  virtual std::span<const MovingDisc> moving_discs() const { return {}; }
   virtual std::span<const Wall> walls() const = 0;
   virtual std::span<const Object> objects() const = 0;  ///< in the order of the map
   virtual BodyState body(BodyIndex body) const = 0;

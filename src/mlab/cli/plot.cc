@@ -139,6 +139,10 @@ std::string Plot::svg(const run::MissionRun& run) const {
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"rock\"/>\n",
                        view.x(disc.center), view.y(disc.center), std::max(1.0, disc.radius * view.scale));
   }
+  for (const binding::MovingDisc& disc : run.world().moving_discs()) {
+    out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"rock\"/>\n",
+                       view.x(disc.center), view.y(disc.center), std::max(1.0, disc.radius * view.scale));
+  }
   const auto& robots = run.fleet().robots();
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     const std::string_view color = kColors[i % std::size(kColors)];

@@ -23,7 +23,8 @@ void Fleet::note_seen(std::size_t robot, const percept::Percepts& percepts) {
   seen.others.assign(percepts.robots.begin(), percepts.robots.end());
 }
 
-// What is so near to the robot that it may lead it aside. Other bodies count where they stand now.
+// What is so near to the robot that it may lead it aside. Other bodies, and obstacles that move, count where
+// they are now.
 void Fleet::look_for_passage(const FleetRobot& robot, double reach) {
   passage_.clear();
   if (reach <= 0.0) return;
@@ -31,6 +32,10 @@ void Fleet::look_for_passage(const FleetRobot& robot, double reach) {
   const binding::WorldView& view = binding_.view();
   for (const binding::Disc& disc : view.discs()) {
     if (geom::distance(disc.center, here) <= reach + disc.radius) passage_.add(disc);
+  }
+  for (const binding::MovingDisc& disc : view.moving_discs()) {
+    if (geom::distance(disc.center, here) <= reach + disc.radius)
+      passage_.add(binding::Disc{disc.center, disc.radius});
   }
   for (const binding::Wall& wall : view.walls()) {
     if (wall.is_solid && geom::distance(nearest_point(wall.segment, here), here) <= reach)

@@ -189,7 +189,8 @@ void RecordedBinding::take_states(const wire::RecordedCycle& cycle) {
                    state.distance_driven(),
                    state.contacts(),
                    state.in_contact(),
-                   {state.carried()}};
+                   {state.carried()},
+                   state.run_over()};
   }
   for (const wire::RecordedObject& object : cycle.objects()) {
     const auto known = std::ranges::find(objects_, base::ObjectId{object.id()}, &binding::Object::id);

@@ -113,6 +113,7 @@ void RecordingBinding::add_states(wire::RecordedCycle& cycle) const {
     out.set_contacts(state.contacts);
     out.set_in_contact(state.in_contact);
     out.set_carried(state.carried.value);
+    out.set_run_over(state.run_over);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -54,19 +55,23 @@ std::string what_moves(const fleet::FleetRobot& robot) {
 
 void add_nearest_disc(const binding::WorldView& world, geom::Point at, double radius,
                       std::vector<std::string>& out) {
-  const binding::Disc* nearest = nullptr;
+  std::optional<binding::MovingDisc> nearest;
   double nearest_gap = kNear;
-  for (const binding::Disc& disc : world.discs()) {
+  const auto consider = [&](const binding::MovingDisc& disc) {
     const double gap = geom::distance(disc.center, at) - disc.radius - radius;
-    if (gap < nearest_gap) {
-      nearest_gap = gap;
-      nearest = &disc;
-    }
-  }
-  if (nearest == nullptr) return;
-  out.push_back(fmt::format("  obstacle of radius {:.1f} m at ({:.1f}, {:.1f}), {:.1f} m away to the {}",
+    if (gap >= nearest_gap) return;
+    nearest_gap = gap;
+    nearest = disc;
+  };
+  for (const binding::Disc& disc : world.discs()) consider({disc.center, disc.radius, {}});
+  for (const binding::MovingDisc& disc : world.moving_discs()) consider(disc);
+  if (!nearest) return;
+  const double speed = geom::length(nearest->velocity);
+  const std::string motion =
+      speed > 0.0 ? fmt::format(", moving at {:.1f} m/s {}", speed, compass_word(nearest->velocity)) : "";
+  out.push_back(fmt::format("  obstacle of radius {:.1f} m at ({:.1f}, {:.1f}), {:.1f} m away to the {}{}",
                             nearest->radius, nearest->center.x, nearest->center.y, nearest_gap,
-                            compass_word(nearest->center - at)));
+                            compass_word(nearest->center - at), motion));
 }
 
 void add_nearest_wall(const binding::WorldView& world, geom::Point at, std::vector<std::string>& out) {

@@ -74,6 +74,7 @@ Json robots_json(const MissionRun& run) {
     const binding::BodyState body = was_started ? run.world().body(robot.body) : binding::BodyState{};
     out["distance_m"] = rounded(body.distance_driven);
     out["collisions"] = body.contacts;
+    if (body.run_over > 0) out["run_over"] = body.run_over;
     out["fault"] = optional_text(robot.fault);
     out["failure"] = optional_text(robot.failure.empty() ? robot.ailment : robot.failure);
     robots.push_back(std::move(out));

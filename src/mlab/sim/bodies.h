@@ -17,6 +17,9 @@ constexpr Thing thing_of_body(std::uint32_t body) {
 constexpr Thing thing_of_disc(std::uint32_t disc) {
   return (1U << 30) | disc;
 }
+constexpr Thing thing_of_roamer(std::uint32_t roamer) {
+  return (1U << 30) | (1U << 29) | roamer;
+}
 constexpr Thing thing_of_wall(std::uint32_t group) {
   return (2U << 30) | (group & ((1U << 30) - 1));
 }
@@ -26,13 +29,19 @@ constexpr bool is_body(Thing thing) {
   return (thing >> 30) == 0;
 }
 constexpr bool is_disc(Thing thing) {
-  return (thing >> 30) == 1;
+  return (thing >> 29) == 2;
+}
+constexpr bool is_roamer(Thing thing) {
+  return (thing >> 29) == 3;
 }
 
 /// The last things that a body met, so that the same contact isn't counted twice.
 struct Touched {
   std::array<Thing, 4> thing{};
   std::array<double, 4> until{-1, -1, -1, -1};  ///< meeting it before this time is still the same contact [s]
+
+  /// Notes that it is met. @return whether that is a new contact
+  bool meet(Thing met, double time);
 };
 
 /// All bodies, one array for each property, by BodyIndex.
@@ -45,6 +54,7 @@ struct Bodies {
   std::vector<geom::Pose> counted;  ///< where a body whose pose is counted from its wheels believes to be
   std::vector<double> distance;     ///< driven [m]
   std::vector<std::uint32_t> contacts;
+  std::vector<std::uint32_t> run_over;  ///< how often by a roamer
   std::vector<Touched> touched;
   std::vector<std::uint32_t> kind;  ///< index of what the spec was prepared to
   std::vector<base::RobotId> robot;

@@ -48,7 +48,42 @@ void add_static_blockers(Blockers& blockers, const Statics& statics, Point body,
   });
 }
 
+// Nobody has to back off: it is run over then.
+void keep_off_roamer(Blockers& blockers, const ContactSolver::Passing& roamer, double gone, Point body,
+                     double radius, Thing thing) {
+  const Offset between = roamer.at(gone) - body;
+  const double gap = length(between) - radius - roamer.radius - kSkin;
+  if (gap > kTouch || length(between) <= 0.0) return;
+  const Offset toward = unit(between);
+  const double away = std::max(0.0, dot(roamer.step, toward)) * (1.0 - gone);
+  blockers.add({toward, std::max(0.0, gap) + away, thing});
+}
+
+// When a body drives into it; never where only the roamer comes to the body.
+double drives_into(const ContactSolver::Passing& roamer, double gone, Point from, Offset motion,
+                   double radius) {
+  const Offset step = roamer.step * (1.0 - gone);
+  const double time = meets_disc(from - roamer.at(gone), motion - step, radius + roamer.radius);
+  if (time > 1.0) return time;
+  const Offset between = roamer.at(gone) + step * time - (from + motion * time);
+  return dot(motion, between) > 0.0 ? time : binding::kNever;
+}
+
 }  // namespace
+
+bool Touched::meet(Thing met, double time) {
+  std::size_t oldest = 0;
+  for (std::size_t k = 0; k < thing.size(); ++k) {
+    if (thing[k] == met && until[k] >= time) {
+      until[k] = time + kSameContact;
+      return false;
+    }
+    if (until[k] < until[oldest]) oldest = k;
+  }
+  thing[oldest] = met;
+  until[oldest] = time + kSameContact;
+  return true;
+}
 
 void ContactSolver::Busy::meet(Thing thing) {
   if (thing == kNoThing || std::find(met.begin(), met.begin() + met_count, thing) != met.begin() + met_count)
@@ -70,8 +105,13 @@ void ContactSolver::resize(std::size_t count) {
 
 void ContactSolver::move(Bodies& bodies, const Surroundings& s, Workers& workers) {
   sort_by_speed(bodies);
+  run_over_.clear();
   collect_busy(bodies, s, workers);
-  if (busy_.empty()) return;
+  if (!busy_.empty()) move_busy(bodies, s, workers);
+  if (!s.roamers.empty()) count_run_over(bodies, s);
+}
+
+void ContactSolver::move_busy(Bodies& bodies, const Surroundings& s, Workers& workers) {
   for (int round = 0; round < binding::kSlideRounds; ++round) {
     if (!run_round(bodies, s, workers)) break;
   }
@@ -161,6 +201,8 @@ bool ContactSolver::has_company(const Bodies& bodies, const Surroundings& s, std
   s.statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
     is_near = is_near || distance(nearest_point(wall.segment, start), start) <= reach;
   });
+  for (const Passing& roamer : s.roamers)
+    is_near = is_near || distance(roamer.from, start) <= reach + roamer.radius + length(roamer.step);
   return is_near;
 }
 
@@ -227,6 +269,8 @@ void ContactSolver::slide_one(const Bodies& bodies, const Surroundings& s, Busy&
   const Point here = bodies.position(i);
   Blockers blockers;
   add_static_blockers(blockers, s.statics, here, bodies.radius[i]);
+  for (std::uint32_t k = 0; k < s.roamers.size(); ++k)
+    keep_off_roamer(blockers, s.roamers[k], busy.gone, here, bodies.radius[i], thing_of_roamer(k));
   const Box& area = area_of(bodies, s, i);
   blockers.keep_within({area.x0, area.y0}, {area.x1, area.y1}, here, length(busy.wanted), kNoThing);
   busy.touches_bodies = false;
@@ -266,6 +310,8 @@ void ContactSolver::stop_at_statics(const Bodies& bodies, const Surroundings& s,
   s.statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
     stop(meets_wall(wall.segment, from, motion, radius), thing_of_wall(wall.group));
   });
+  for (std::uint32_t k = 0; k < s.roamers.size(); ++k)
+    stop(drives_into(s.roamers[k], busy.gone, from, motion, radius), thing_of_roamer(k));
   const Box& area = area_of(bodies, s, i);
   stop(meets_edge({area.x0, area.y0}, {area.x1, area.y1}, from, motion), kNoThing);
 }
@@ -314,6 +360,11 @@ bool ContactSolver::advance(Bodies& bodies, const Surroundings& s, Busy& busy) {
   const std::uint32_t i = busy.body;
   if (!busy.is_moving) return false;
   const Offset step = motion_[i] * busy.until;
+  if (!s.roamers.empty()) {
+    const double until = busy.gone + (1.0 - busy.gone) * busy.until;
+    note_run_over(s, i, bodies.radius[i], bodies.position(i), step, busy.gone, until);
+    busy.gone = until;
+  }
   bodies.x[i] += step.x;
   bodies.y[i] += step.y;
   bodies.distance[i] += length(step);
@@ -331,24 +382,39 @@ bool ContactSolver::advance(Bodies& bodies, const Surroundings& s, Busy& busy) {
 
 void ContactSolver::count_contacts(Bodies& bodies, const Surroundings& s) {
   const auto count = [&](std::uint32_t body, Thing thing) {
-    Touched& touched = bodies.touched[body];
-    std::size_t oldest = 0;
-    for (std::size_t k = 0; k < touched.thing.size(); ++k) {
-      if (touched.thing[k] == thing && touched.until[k] >= s.time) {
-        touched.until[k] = s.time + kSameContact;
-        return;
-      }
-      if (touched.until[k] < touched.until[oldest]) oldest = k;
-    }
-    touched.thing[oldest] = thing;
-    touched.until[oldest] = s.time + kSameContact;
-    ++bodies.contacts[body];
+    if (bodies.touched[body].meet(thing, s.time)) ++bodies.contacts[body];
   };
   for (const Busy& busy : busy_) {
     for (std::uint8_t k = 0; k < busy.met_count; ++k) {
       count(busy.body, busy.met[k]);
       if (is_body(busy.met[k])) count(busy.met[k], thing_of_body(busy.body));
     }
+  }
+}
+
+/// Notes the roamers that come nearer than both radii to a body which moves straight during a share of the
+/// cycle.
+void ContactSolver::note_run_over(const Surroundings& s, std::uint32_t body, double radius, Point from,
+                                  Offset motion, double gone, double until) {
+  for (std::uint32_t k = 0; k < s.roamers.size(); ++k) {
+    const Passing& roamer = s.roamers[k];
+    const Point start = from - (roamer.at(gone) - Point{});
+    const geom::Segment way{start, start + (motion - roamer.step * (until - gone))};
+    if (length(nearest_point(way, {}) - Point{}) < radius + roamer.radius)
+      run_over_.emplace_back(body, thing_of_roamer(k));
+  }
+}
+
+/// Who drove into a roamer has a contact with it, which goes on while it is in it.
+void ContactSolver::count_run_over(Bodies& bodies, const Surroundings& s) {
+  for (std::uint32_t i = 0; i < bodies.count(); ++i) {
+    if (bodies.present[i] && way_[i] <= 0.0)
+      note_run_over(s, i, bodies.radius[i], bodies.position(i), {}, 0.0, 1.0);
+  }
+  for (const Busy& busy : busy_)
+    note_run_over(s, busy.body, bodies.radius[busy.body], bodies.position(busy.body), {}, busy.gone, 1.0);
+  for (const auto& [body, roamer] : run_over_) {
+    if (bodies.touched[body].meet(roamer, s.time)) ++bodies.run_over[body];
   }
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mlab/binding/slide.h"
@@ -23,8 +24,19 @@ using binding::Workers;
 /// against the thing. Then all motions run at the same time, straight, until something is met (a body that is
 /// met by another head on stops, too). What is left of a motion is for the next round. Every round begins and
 /// ends without overlap, so a round can be the last.
+///
+/// Roamers stop for nobody: a body stops where it would drive into one, and is run over where one comes to
+/// it. It stays where it is, and may go on in any direction but deeper into it.
 class ContactSolver {
  public:
+  /// A roamer and its way in this cycle, which is straight.
+  struct Passing {
+    geom::Point from;
+    geom::Offset step;
+    double radius;
+
+    geom::Point at(double share) const { return from + step * share; }
+  };
   /// What the bodies move among, and when.
   struct Surroundings {
     const Statics& statics;
@@ -32,6 +44,7 @@ class ContactSolver {
     Box area;               ///< that bodies which are `held` stay in; others stay in kWholeWorld
     double time;            ///< at the end of the cycle [s]
     double dt;              ///< [s]
+    std::span<const Passing> roamers = {};
   };
 
   /// Makes room for so many bodies.
@@ -62,6 +75,7 @@ class ContactSolver {
     geom::Offset slid;    ///< what becomes of it; goes to motion_ when all are done
     double until = 1.0;   ///< goes to until_ when all are done
     Thing stopped_by = kNoThing;
+    double gone = 0.0;      ///< share of the cycle that is over
     bool is_moving = true;  ///< in this round
     bool touches_bodies = false;
     std::array<Thing, 6> met{};  ///< in this cycle
@@ -82,6 +96,7 @@ class ContactSolver {
   template <class Visit>
   void for_each_near(const Bodies& bodies, const Surroundings& s, const Busy& busy, Visit&& visit) const;
 
+  void move_busy(Bodies& bodies, const Surroundings& s, Workers& workers);
   bool run_round(Bodies& bodies, const Surroundings& s, Workers& workers);
   void slide_all(const Bodies& bodies, const Surroundings& s, Workers& workers);
   void slide_one(const Bodies& bodies, const Surroundings& s, Busy& busy, bool is_first);
@@ -89,7 +104,10 @@ class ContactSolver {
   void stop_at_bodies(const Bodies& bodies, const Surroundings& s, Workers& workers);
   void stop_one(const Bodies& bodies, const Surroundings& s, Busy& busy, bool gives_up) const;
   bool advance(Bodies& bodies, const Surroundings& s, Busy& busy);
+  void note_run_over(const Surroundings& s, std::uint32_t body, double radius, geom::Point from,
+                     geom::Offset motion, double gone, double until);
   void count_contacts(Bodies& bodies, const Surroundings& s);
+  void count_run_over(Bodies& bodies, const Surroundings& s);
 
   std::vector<geom::Offset> motion_;  ///< by body; in the present round [m]
   std::vector<double> way_;           ///< by body; length of the whole cycle's motion [m]
@@ -99,9 +117,10 @@ class ContactSolver {
   std::vector<std::uint8_t> changed_;  ///< by body: until_ fell in the last pass
   std::vector<NearList> near_;
   std::vector<Busy> busy_;
-  std::vector<Fast> fast_;   ///< ascending
-  double slow_limit_ = 0.0;  ///< who goes farther is fast [m]
-  double slow_way_ = 0.0;    ///< longest way of those that are not fast [m]
+  std::vector<std::pair<std::uint32_t, Thing>> run_over_;  ///< body and roamer, in this cycle
+  std::vector<Fast> fast_;                                 ///< ascending
+  double slow_limit_ = 0.0;                                ///< who goes farther is fast [m]
+  double slow_way_ = 0.0;                                  ///< longest way of those that are not fast [m]
 };
 
 }  // namespace mlab::sim

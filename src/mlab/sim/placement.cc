@@ -56,6 +56,8 @@ bool Placer::is_free(const Bodies& bodies, const Statics& statics, Point place, 
   statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) {
     is_free = is_free && distance(disc.center, place) >= radius + disc.radius - kTolerance;
   });
+  for (const binding::MovingDisc& disc : moving_)
+    is_free = is_free && distance(disc.center, place) >= radius + disc.radius - kTolerance;
   statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
     const double gap = distance(nearest_point(wall.segment, place), place) - radius;
     is_free = is_free && gap >= -kTolerance && gap + radius > 0.0;

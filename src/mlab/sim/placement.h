@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mlab/sim/bodies.h"
@@ -17,6 +18,8 @@ class Placer {
   /// or went.
   void rebuild(const Bodies& bodies);
   void add(const Bodies& bodies, std::uint32_t body);
+  /// Discs that move count, too, from now on, where they are now.
+  void keep_free_of(std::span<const binding::MovingDisc> discs) { moving_ = discs; }
 
   /// True where a disc would overlap nothing solid and no body but `except`. Touching is free.
   bool is_free(const Bodies& bodies, const Statics& statics, geom::Point place, double radius,
@@ -51,6 +54,7 @@ class Placer {
   std::vector<std::uint32_t> first_;  ///< by place: the body added last there
   std::vector<std::uint32_t> next_;   ///< by body: the one added before it at the same place
   double widest_ = 0.0;               ///< radius [m]
+  std::span<const binding::MovingDisc> moving_;
   Search last_;
 };
 

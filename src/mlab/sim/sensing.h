@@ -8,10 +8,11 @@
 namespace mlab::sim {
 
 /// The objects list has robots and obstacles in it too, as things seen by their colour; these ids tell them
-/// apart from objects that can be carried: the base plus the robot's id, or plus the place of the disc in the
-/// world.
+/// apart from objects that can be carried: the base plus the robot's id, or plus the place of the disc or
+/// roamer in the world.
 inline constexpr std::uint32_t kRobotObjectBase = 0x40000000;
 inline constexpr std::uint32_t kDiscObjectBase = 0x80000000;
+inline constexpr std::uint32_t kRoamerObjectBase = 0xC0000000;
 
 /// Memory for the lists of one robot's percepts, owned by the caller and used again in every cycle: it grows
 /// to what the fullest cycle needed, then the cycle allocates nothing. One for each robot, or one for each

@@ -18,6 +18,8 @@ using geom::Vector;
 /// @source  the historic simulator: 16 rays, each hit an obstacle of 0.1 m
 constexpr int kWallRays = 16;
 constexpr double kWallHitRadius = 0.1;
+/// From here on the ids of roamers among obstacles: behind those of all else.
+constexpr std::uint32_t kRoamerId = 1U << 31;
 
 const RingBeams& wall_rays() {
   static const RingBeams kRays({.count = kWallRays, .range = 1.0}, 0.0);
@@ -85,6 +87,7 @@ std::optional<Point> touched(const Sensors::Scene& scene, std::uint32_t body) {
   const double reach = radius + kFeelsWithin;
   const Box box = Box::around(here.x, here.y, reach);
   scene.statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) { feel(disc.center, disc.radius); });
+  for (const MovingDisc& roamer : scene.roamers) feel(roamer.center, roamer.radius);
   scene.statics.visit_walls(
       box, [&](std::uint32_t, const Wall& wall) { feel(nearest_point(wall.segment, here), 0.0); });
   scene.grid.visit(Box::around(here.x, here.y, reach + scene.grid.max_radius()),
@@ -145,7 +148,10 @@ void Sensors::sense(percept::Sensor sensor, double reach, percept::Percepts& out
 }
 
 Vector Sensors::to_robot(Point point) const {
-  const geom::Offset o = point - here_;
+  return turned(point - here_);
+}
+
+Vector Sensors::turned(geom::Offset o) const {
   return {ahead_.x * o.x + ahead_.y * o.y, ahead_.x * o.y - ahead_.y * o.x, 0.0};
 }
 
@@ -173,6 +179,16 @@ void Sensors::collect_walls(double reach) {
   walls.erase(doubles.begin(), doubles.end());
 }
 
+/// How fast the roamer is whose edge was hit there; zero where none was.
+Vector Sensors::velocity_at(const Vector& hit) const {
+  constexpr double kNear = 0.05;  // readings are rounded, and noisy [m]
+  for (const MovingDisc& roamer : scene_.roamers) {
+    if (std::abs(length(hit - to_robot(roamer.center)) - roamer.radius) < kNear)
+      return turned(roamer.velocity);
+  }
+  return {};
+}
+
 /// Obstacles as the ring's beams tell them: a point for each that hit something.
 void Sensors::see_by_ring(double range, percept::Percepts& out) {
   percept::Percepts ring;
@@ -188,7 +204,10 @@ void Sensors::see_by_ring(double range, percept::Percepts& out) {
   }
   sort_seen();
   buffer_.obstacles_.clear();
-  for (const auto& seen : buffer_.seen_) buffer_.obstacles_.push_back({{seen.x, seen.y, 0.0}, 0.0});
+  for (const auto& seen : buffer_.seen_) {
+    const Vector hit{seen.x, seen.y, 0.0};
+    buffer_.obstacles_.push_back({hit, 0.0, velocity_at(hit)});
+  }
   out.obstacles = buffer_.obstacles_;
 }
 
@@ -205,6 +224,11 @@ void Sensors::sense_obstacles(double range, percept::Percepts& out) {
                                if (square <= reach * reach)
                                  see(std::sqrt(square) - disc.radius, index, disc.center, disc.radius);
                              });
+  for (std::uint32_t k = 0; k < scene_.roamers.size(); ++k) {
+    const MovingDisc& roamer = scene_.roamers[k];
+    const double away = geom::distance(here_, roamer.center);
+    if (away <= range + roamer.radius) see(away - roamer.radius, kRoamerId + k, roamer.center, roamer.radius);
+  }
   collect_walls(range);
   if (!buffer_.walls_.empty()) {
     buffer_.beams_.assign(kWallRays, range);
@@ -227,7 +251,12 @@ void Sensors::sense_obstacles(double range, percept::Percepts& out) {
   });
   sort_seen();
   buffer_.obstacles_.clear();
-  for (const auto& seen : buffer_.seen_) buffer_.obstacles_.push_back({{seen.x, seen.y, 0.0}, seen.radius});
+  for (const auto& seen : buffer_.seen_)
+    buffer_.obstacles_.push_back({{seen.x, seen.y, 0.0}, seen.radius, {}});
+  for (std::size_t i = 0; i < buffer_.seen_.size() && !scene_.roamers.empty(); ++i) {
+    const std::uint32_t id = buffer_.seen_[i].id;
+    if (id >= kRoamerId) buffer_.obstacles_[i].velocity = turned(scene_.roamers[id - kRoamerId].velocity);
+  }
   out.obstacles = buffer_.obstacles_;
 }
 
@@ -282,6 +311,8 @@ void Sensors::sense_objects(double range, percept::Percepts& out) {
   scene_.statics.visit_discs(box, [&](std::uint32_t index, const Disc& disc) {
     look(kDiscObjectBase + index, disc.center, disc.radius);
   });
+  for (std::uint32_t k = 0; k < scene_.roamers.size(); ++k)
+    look(kRoamerObjectBase + k, scene_.roamers[k].center, scene_.roamers[k].radius);
   std::erase_if(buffer_.seen_,
                 [&](const SenseBuffer::Detection& seen) { return !view.contains({seen.x, seen.y, 0.0}); });
   sort_seen();
@@ -326,6 +357,10 @@ void Sensors::sense_ranges(percept::Percepts& out) {
     if (square_distance(here_, disc.center) >= limit * limit) return;
     beams.see_disc(to_robot(disc.center), disc.radius, reach, distances);
   });
+  for (const MovingDisc& roamer : scene_.roamers) {
+    if (geom::distance(here_, roamer.center) < reach + roamer.radius)
+      beams.see_disc(to_robot(roamer.center), roamer.radius, reach, distances);
+  }
   collect_walls(reach);
   for (const std::uint32_t index : buffer_.walls_) {
     const geom::Segment& wall = scene_.statics.walls()[index].segment;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mlab/percept/percepts.h"
@@ -30,6 +31,7 @@ class Sensors {
     const std::vector<Kind>& kinds;
     std::uint64_t seed;
     std::uint64_t cycle;
+    std::span<const MovingDisc> roamers;
   };
   Sensors(const Scene& scene, std::uint32_t body, SenseBuffer& buffer);
 
@@ -44,6 +46,8 @@ class Sensors {
   void sense_objects(double range, percept::Percepts& out);
   void sense_ranges(percept::Percepts& out);
   geom::Vector to_robot(geom::Point point) const;
+  geom::Vector turned(geom::Offset offset) const;
+  geom::Vector velocity_at(const geom::Vector& hit) const;
   void see_by_ring(double range, percept::Percepts& out);
   void collect_walls(double reach);
   void collect_robots(double range);

@@ -94,7 +94,8 @@ TEST(Obstacles, AnAvoidedAreaPushesWhoIsInsideToTheNearestWayOut) {
   const BodyIndex body = add(simulator, {{15, 3}, 0.0});
   const Sensed sensed(simulator, body, {{Sensor::kObstacles, 10.0}});
   ASSERT_EQ(sensed.percepts.obstacles.size(), 1U);
-  const auto& [center, radius] = sensed.percepts.obstacles[0];
+  const auto& [center, radius, velocity] = sensed.percepts.obstacles[0];
+  EXPECT_EQ(velocity, geom::Vector{});
   EXPECT_NEAR(center.x, 0.0, 1e-12);
   EXPECT_NEAR(center.y, -2.0, 1e-12) << "the way out lies to the left";
   EXPECT_NEAR(radius, 2.0, 1e-12) << "it touches the robot";

@@ -125,6 +125,7 @@ binding::MapChange SimulatedBinding::change_map(const overlay::Overlay& before,
   std::ranges::sort(new_world.discs, is_before);
   out.moved_by_obstacles = change_obstacles(difference(old_world.discs, new_world.discs),
                                             difference(new_world.discs, old_world.discs));
+  if (old_world.roamers != new_world.roamers) simulator_.set_roamers(std::move(new_world.roamers));
   if (!std::ranges::equal(old_world.walls, new_world.walls, is_same_wall))
     out.moved_by_walls = robots_of(simulator_.set_walls(new_world.walls));
   simulator_.set_building(std::move(new_world.building));
@@ -161,7 +162,7 @@ binding::BodyState SimulatedBinding::body(BodyIndex body) const {
   return {momentum.velocity,         momentum.speed,
           momentum.turn_rate,        simulator_.distance_driven(body),
           simulator_.contacts(body), simulator_.in_contact(body),
-          simulator_.carried(body)};
+          simulator_.carried(body),  simulator_.run_over(body)};
 }
 
 percept::Percepts SimulatedBinding::sense(BodyIndex body, const percept::Needs& needs) const {

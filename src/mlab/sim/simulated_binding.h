@@ -39,6 +39,7 @@ class SimulatedBinding final : public binding::Binding, private binding::WorldVi
 
  private:
   std::span<const Disc> discs() const override { return simulator_.discs(); }
+  std::span<const MovingDisc> moving_discs() const override { return simulator_.moving_discs(); }
   std::span<const Wall> walls() const override { return simulator_.walls(); }
   std::span<const Object> objects() const override { return simulator_.objects(); }
   binding::BodyState body(BodyIndex body) const override;

@@ -27,7 +27,7 @@ using geom::Point;
 constexpr std::size_t kPiece = 256;
 /// That the properties of a body take up in all of its arrays.
 constexpr std::size_t kBytesOfBody = 5 * sizeof(double) + sizeof(Offset) + sizeof(binding::Momentum) +
-                                     sizeof(geom::Pose) + sizeof(Touched) + 6 * sizeof(std::uint32_t) +
+                                     sizeof(geom::Pose) + sizeof(Touched) + 7 * sizeof(std::uint32_t) +
                                      sizeof(percept::ObjectClass) + 2 * sizeof(std::uint8_t);
 /// Nobody goes farther in one cycle [m].
 constexpr double kLongestStep = 1e6;
@@ -72,7 +72,7 @@ void forget_changed(Bodies& bodies, const Statics& before, const Statics& now, d
   for (Touched& touched : bodies.touched) {
     for (std::size_t k = 0; k < touched.thing.size(); ++k) {
       const Thing thing = touched.thing[k];
-      if (touched.until[k] <= time || is_body(thing) || thing == kNoThing) continue;
+      if (touched.until[k] <= time || is_body(thing) || is_roamer(thing) || thing == kNoThing) continue;
       const bool stays =
           is_disc(thing) ? is_same(before, now, thing - thing_of_disc(0)) : is_same_group(before, now, thing);
       if (!stays) touched.until[k] = -1;
@@ -103,6 +103,7 @@ class Simulator::State {
   Objects objects;
   Site site;
   std::shared_ptr<const Statics> statics;
+  std::shared_ptr<const std::vector<Roamer>> roamers;
   Box area;                 ///< where the centres of held bodies may be
   std::vector<Kind> kinds;  ///< of bodies
   double time = 0.0;
@@ -117,10 +118,17 @@ struct Simulator::Parts {
               Objects(std::move(world.objects)),
               Site(std::move(world.building)),
               std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls)),
+              std::make_shared<const std::vector<Roamer>>(std::move(world.roamers)),
               {world.area_low.x + kAreaMargin, world.area_low.y + kAreaMargin,
                world.area_high.x - kAreaMargin, world.area_high.y - kAreaMargin},
-              {}} {}
+              {}} {
+    place_roamers();
+  }
 
+  /// Notes where roamers are now.
+  void place_roamers();
+  /// The same, and the ways that they made since they were noted.
+  std::span<const ContactSolver::Passing> move_roamers(double until);
   /// Sorts bodies and objects anew where they moved since. Whichever thread comes first does it.
   void refresh();
   /// Notes how far somebody asks for robots [m].
@@ -142,9 +150,11 @@ struct Simulator::Parts {
   SimulatorSettings settings;
   Workers workers;
   State state;
-  std::vector<std::uint32_t> by_robot;  ///< body indices in the order of robot ids
-  bool has_odometry = false;            ///< some kind counts its wheels
-  std::vector<geom::Pose> departure;    ///< of all bodies, before they move; where has_odometry
+  std::vector<std::uint32_t> by_robot;          ///< body indices in the order of robot ids
+  bool has_odometry = false;                    ///< some kind counts its wheels
+  std::vector<geom::Pose> departure;            ///< of all bodies, before they move; where has_odometry
+  std::vector<MovingDisc> moving;               ///< the roamers, where they are now
+  std::vector<ContactSolver::Passing> passing;  ///< in this cycle
   PointGrid grid;
   std::vector<PointGrid::Item> items;
   std::atomic<float> asked{0.0F};  ///< the farthest that robots were looked for since the grid was built [m]
@@ -156,6 +166,22 @@ struct Simulator::Parts {
   ContactSolver contact;
   StepTimes times;
 };
+
+void Simulator::Parts::place_roamers() {
+  moving.clear();
+  for (const Roamer& roamer : *state.roamers) moving.push_back(roamer.at(state.time));
+  placer.keep_free_of(moving);
+}
+
+std::span<const ContactSolver::Passing> Simulator::Parts::move_roamers(double until) {
+  passing.clear();
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    const Point from = moving[k].center;
+    moving[k] = (*state.roamers)[k].at(until);
+    passing.push_back({from, moving[k].center - from, moving[k].radius});
+  }
+  return passing;
+}
 
 void Simulator::Parts::refresh() {
   if (!is_stale.load(std::memory_order_acquire)) return;
@@ -281,6 +307,7 @@ std::optional<Placement> Simulator::add_body(const BodySetup& setup) {
   bodies.counted.push_back({*place, pose.heading});
   bodies.distance.push_back(0.0);
   bodies.contacts.push_back(0);
+  bodies.run_over.push_back(0);
   bodies.touched.emplace_back();
   bodies.kind.push_back(p.kind_of(spec));
   bodies.robot.push_back(setup.robot);
@@ -337,6 +364,9 @@ double Simulator::distance_driven(BodyIndex body) const {
 std::uint32_t Simulator::contacts(BodyIndex body) const {
   return parts_->state.bodies.contacts[body.value];
 }
+std::uint32_t Simulator::run_over(BodyIndex body) const {
+  return parts_->state.bodies.run_over[body.value];
+}
 bool Simulator::in_contact(BodyIndex body) const {
   const auto& until = parts_->state.bodies.touched[body.value].until;
   return std::ranges::any_of(until, [&](double end) { return end > parts_->state.time; });
@@ -366,7 +396,7 @@ void Simulator::sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& 
       carried == 0 ? percept::ObjectClass::kUnknown : state.objects.list()[carried - 1].object_class;
   const Sensors::Scene scene{bodies,        parts_->grid,        *state.statics,
                              state.objects, parts_->state.kinds, parts_->settings.seed,
-                             state.cycle};
+                             state.cycle,   parts_->moving};
   Sensors sensors(scene, i, buffer);
   using percept::Sensor;
   const bool uses_ring =
@@ -420,7 +450,9 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   });
   p.times.move += watch.lap();
 
-  p.contact.move(bodies, {*p.state.statics, p.grid, p.state.area, p.state.time + dt, dt}, p.workers);
+  const double until = p.state.time + dt;
+  p.contact.move(bodies, {*p.state.statics, p.grid, p.state.area, until, dt, p.move_roamers(until)},
+                 p.workers);
   p.times.contact += watch.lap();
 
   p.state.objects.follow(bodies);
@@ -459,6 +491,9 @@ Workers& Simulator::workers() const {
 std::span<const Disc> Simulator::discs() const {
   return parts_->state.statics->discs();
 }
+std::span<const MovingDisc> Simulator::moving_discs() const {
+  return parts_->moving;
+}
 std::span<const Wall> Simulator::walls() const {
   return parts_->state.statics->walls();
 }
@@ -481,6 +516,7 @@ std::vector<Placement> Simulator::Parts::replace_statics(std::vector<Disc> discs
   forget_changed(bodies, *before, *state.statics, state.time);
   std::vector<Placement> moved;
   placer.rebuild(bodies);
+  placer.keep_free_of({});  // whom a roamer is running over stays there
   is_placer_stale = false;
   for (std::uint32_t i = 0; i < bodies.count(); ++i) {
     if (!bodies.present[i]) continue;
@@ -493,6 +529,7 @@ std::vector<Placement> Simulator::Parts::replace_statics(std::vector<Disc> discs
     placer.rebuild(bodies);
     moved.push_back({{i}, {*place, bodies.heading[i]}, true});
   }
+  placer.keep_free_of(moving);
   state.objects.follow(bodies);
   is_stale = true;
   return moved;
@@ -524,6 +561,20 @@ std::vector<Placement> Simulator::add_obstacles(std::span<const Disc> discs) {
   std::vector<Disc> all(this->discs().begin(), this->discs().end());
   all.insert(all.end(), discs.begin(), discs.end());
   return set_obstacles(all);
+}
+
+void Simulator::set_roamers(std::vector<Roamer> roamers) {
+  World world;
+  world.roamers = std::move(roamers);
+  keep_usable(world);
+  parts_->state.roamers = std::make_shared<const std::vector<Roamer>>(std::move(world.roamers));
+  for (Touched& touched : parts_->state.bodies.touched) {
+    for (std::size_t k = 0; k < touched.thing.size(); ++k) {
+      if (is_roamer(touched.thing[k])) touched.until[k] = -1;
+    }
+  }
+  parts_->place_roamers();
+  parts_->is_placer_stale = true;
 }
 
 std::size_t Simulator::remove_obstacles(const std::function<bool(const Disc&)>& is_gone) {
@@ -572,6 +623,7 @@ std::size_t Simulator::bytes(const State& state) {
 
 void Simulator::restore(const State& state) {
   parts_->state = state;
+  parts_->place_roamers();
   parts_->has_odometry =
       std::ranges::any_of(state.kinds, [](const Kind& kind) { return kind.spec.odometry_noise > 0.0; });
   parts_->is_stale = true;

@@ -39,8 +39,9 @@ struct StepTimes {
 /// The simulated world and the bodies of the robots in it. It knows no behavior: in each cycle the caller
 /// asks sense() for every robot, lets the programs answer, and hands their actions to step().
 ///
-/// Never, at any speed, do two bodies overlap or does a body overlap a disc or a wall, or get past one. The
-/// same calls with the same seed give the same result, bit for bit, for any number of threads.
+/// Never, at any speed, do two bodies overlap or does a body overlap a disc or a wall, or get past one.
+/// Roamers stop for nobody: a body may be run over, though it never drives into one. The same calls with the
+/// same seed give the same result, bit for bit, for any number of threads.
 class Simulator {
  public:
   explicit Simulator(World world, const SimulatorSettings& settings = {});
@@ -72,7 +73,10 @@ class Simulator {
   /// How often the body met something solid or another body. Meeting the same thing again within kSameContact
   /// after the last push against it is still the same contact; the edge of the mission area is none.
   std::uint32_t contacts(BodyIndex body) const;
-  /// The body met something within the last kSameContact.
+  /// How often a roamer met the body, which did not drive into it: the body stood, was overtaken or was hit
+  /// from the side. Counted as contacts are, and none of them.
+  std::uint32_t run_over(BodyIndex body) const;
+  /// The body met something, or was run over, within the last kSameContact.
   bool in_contact(BodyIndex body) const;
   /// What the body carries; 0: nothing.
   base::ObjectId carried(BodyIndex body) const;
@@ -107,6 +111,7 @@ class Simulator {
   // ---- the world
 
   std::span<const Disc> discs() const;
+  std::span<const MovingDisc> moving_discs() const;  ///< the roamers, where they are now
   std::span<const Wall> walls() const;
   std::span<const Object> objects() const;  ///< in the order of the world
   /// How many objects lie in a container.
@@ -114,6 +119,8 @@ class Simulator {
   /// Other discs than before, while running.
   /// @return the bodies that stood where there is one now, and where they were moved
   std::vector<Placement> set_obstacles(std::span<const Disc> discs);
+  /// Other roamers than before. Who stands where one is now stays there, and is run over.
+  void set_roamers(std::vector<Roamer> roamers);
   /// More discs; returns as set_obstacles does.
   std::vector<Placement> add_obstacles(std::span<const Disc> discs);
   /// Removes all discs for which `is_gone` is true. @return how many

@@ -49,13 +49,22 @@ void add_to_building(Building& building, const overlay::ControlMeasure& measure)
 
 }  // namespace
 
+MovingDisc Roamer::at(double time) const {
+  const auto [place, velocity] = course.at(time);
+  return {place, radius, velocity};
+}
+
 World world_of(const overlay::Overlay& overlay) {
   World world;
   const overlay::Area area = overlay.mission_area();
   world.area_low = {0.0, 0.0};
   world.area_high = {area.width, area.height};
-  for (const overlay::ObstacleDisc& disc : overlay.obstacles)
-    world.discs.push_back({disc.center, disc.radius});
+  for (const overlay::ObstacleDisc& disc : overlay.obstacles) {
+    if (disc.is_moving())
+      world.roamers.push_back({overlay::course_of(disc), disc.radius});
+    else
+      world.discs.push_back({disc.center, disc.radius});
+  }
   for (const auto& [segment, group, is_solid] : overlay::barriers(overlay))
     world.walls.push_back({segment, group, is_solid});
   for (const overlay::ControlMeasure& measure : overlay.measures) add_to_building(world.building, measure);
@@ -90,6 +99,12 @@ std::vector<base::ObjectId> same_objects(std::span<const Object> before, std::sp
 
 void keep_usable(World& world) {
   std::erase_if(world.discs, [](const Disc& d) { return !is_usable(d.center) || !is_usable(d.radius); });
+  std::erase_if(world.roamers, [](const Roamer& roamer) {
+    const auto& points = roamer.course.points();
+    return !std::ranges::all_of(points, [](geom::Point p) { return is_usable(p); }) ||
+           !is_usable(roamer.radius) || !(overlay::length_of(points) >= overlay::Course::kShortest) ||
+           !(roamer.course.speed() > 0.0 && roamer.course.speed() <= World::kFarthest);
+  });
   std::erase_if(world.walls,
                 [](const Wall& w) { return !is_usable(w.segment.a) || !is_usable(w.segment.b); });
   std::erase_if(world.objects, [](const Object& o) { return !is_usable(o.center) || !is_usable(o.radius); });

@@ -7,6 +7,7 @@
 #include "mlab/base/id.h"
 #include "mlab/binding/world_view.h"
 #include "mlab/geom/pose.h"
+#include "mlab/overlay/course.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/sim/site.h"
@@ -15,16 +16,27 @@ namespace mlab::sim {
 
 using binding::Disc;
 using binding::kAreaMargin;
+using binding::MovingDisc;
 using binding::Object;
 using binding::Wall;
 
-/// What stands around, before any robot comes. A plain value.
+/// Something round that moves along its course whatever is in its way.
+struct Roamer {
+  overlay::Course course;
+  double radius = 0.0;  ///< [m], >= 0
+
+  MovingDisc at(double time) const;
+  friend bool operator==(const Roamer&, const Roamer&) = default;
+};
+
+/// What is around, before any robot comes. A plain value.
 struct World {
   /// Lower left and upper right corner of the mission area; a body that starts inside stays kAreaMargin
   /// inside.
   geom::Point area_low{-kFarthest, -kFarthest};
   geom::Point area_high{kFarthest, kFarthest};
   std::vector<Disc> discs;
+  std::vector<Roamer> roamers;
   std::vector<Wall> walls;  ///< the solid ones first
   std::vector<Object> objects;
   Building building;
@@ -33,10 +45,10 @@ struct World {
   static constexpr double kFarthest = 1e8;
 };
 
-/// The discs, walls and objects of an overlay as robots on the ground meet them: OBSTACLE, WALL, the edges of
-/// weather zones; MINEFIELD, which stops nobody; OBJECT, ATTRACTOR, BASKET with their class told by colour;
-/// ROOM, DOOR, HALLWAY as the building. Objects get the ids 1, 2, ... in file order. Coordinates that are not
-/// finite or beyond World::kFarthest are left out.
+/// The discs, roamers, walls and objects of an overlay as robots on the ground meet them: OBSTACLE, WALL, the
+/// edges of weather zones; MINEFIELD, which stops nobody; OBJECT, ATTRACTOR, BASKET with their class told by
+/// colour; ROOM, DOOR, HALLWAY as the building. Objects get the ids 1, 2, ... in file order. Coordinates that
+/// are not finite or beyond World::kFarthest are left out.
 World world_of(const overlay::Overlay& overlay);
 
 /// Which of the objects of a changed map are those of the map before: for each of `after` the id of an equal

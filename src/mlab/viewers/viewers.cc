@@ -111,6 +111,8 @@ void Viewers::tell_map() {
   foxglove::SceneEntity& obstacles = entity(update, "obstacles");
   for (const binding::Disc& disc : run_.world().discs())
     add_cylinder(obstacles, disc.center, disc.radius, kObstacleHeight, color_named("sienna"));
+  for (const binding::MovingDisc& disc : run_.world().moving_discs())
+    add_cylinder(obstacles, disc.center, disc.radius, kObstacleHeight, color_named("sienna"));
   foxglove::SceneEntity& walls = entity(update, "walls");
   for (const binding::Wall& wall : run_.world().walls()) {
     if (wall.is_solid) add_line(walls, {wall.segment.a, wall.segment.b}, false, 0.1, color_named("darkgray"));

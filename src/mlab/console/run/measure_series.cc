@@ -25,6 +25,8 @@ std::optional<double> nearest_obstacle(const run::MissionRun& run, const FleetRo
   const geom::Point at = run.fleet().pose(robot).position;
   for (const binding::Disc& disc : run.world().discs())
     nearest = std::min(nearest, geom::distance(disc.center, at) - disc.radius);
+  for (const binding::MovingDisc& disc : run.world().moving_discs())
+    nearest = std::min(nearest, geom::distance(disc.center, at) - disc.radius);
   for (const binding::Wall& wall : run.world().walls())
     nearest = std::min(nearest, geom::distance(geom::nearest_point(wall.segment, at), at));
   if (nearest == std::numeric_limits<double>::infinity()) return std::nullopt;

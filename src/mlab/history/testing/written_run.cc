@@ -147,6 +147,7 @@ void add_world(const run::MissionRun& run, Sum& out) {
     out << object.center.x << object.center.y << std::uint64_t{object.carrier.value}
         << std::uint64_t{object.basket.value};
   for (const binding::Disc& disc : run.world().discs()) out << disc.center.x << disc.center.y << disc.radius;
+  for (const binding::MovingDisc& disc : run.world().moving_discs()) out << disc.center.x << disc.center.y;
 }
 
 void add_records(const run::MissionRun& run, Sum& out) {
