@@ -36,6 +36,31 @@ TEST(AvoidReciprocally, KeepsOffWhatIsSolid) {
   EXPECT_GT(nearest, 2.0 + radius + gap - 0.05);
 }
 
+TEST(AvoidReciprocally, KeepsClearOfWhatMovesByItself) {
+  for (const double speed : {1.0, 2.0, 3.0}) {
+    for (int start = 0; start < 12; ++start) {
+      flow::BehaviorProbe p = probe("AvoidReciprocally");
+      p.set("v", Vector{1.0, 0.0, 0.0}).set("base_velocity", 3.0).set("max_velocity", 5.0);
+      Point rock{20.0, 30.0 - 2.0 * start};
+      double nearest = 1e9;
+      for (int i = 0; i < 200; ++i) {
+        const auto& pose = p.percepts.pose;
+        const std::vector<percept::Obstacle> rocks{
+            {pose.to_robot(rock), 2.0, pose.to_robot(geom::Offset{0.0, -speed})}};
+        p.percepts.obstacles = rocks;
+        p.set("obstacles", all<flow::Obstacles>(1));
+        p.step();
+        p.percepts.pose.position =
+            pose.position + pose.to_world(p.output<Vector>()) * (3.0 * p.percepts.cycle_duration);
+        rock.y -= speed * p.percepts.cycle_duration;
+        nearest = std::min(nearest, distance(p.percepts.pose.position, rock));
+      }
+      EXPECT_GT(nearest, 2.0 + 0.2) << speed << " " << start;
+      EXPECT_GT(p.percepts.pose.position.x, 25.0) << speed << " " << start;
+    }
+  }
+}
+
 TEST(AvoidReciprocally, TwoThatMeetHeadOnPassOnTheRight) {
   flow::BehaviorProbe a = probe("AvoidReciprocally");
   flow::BehaviorProbe b = probe("AvoidReciprocally");

@@ -2,6 +2,7 @@
 // none.
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -11,6 +12,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "mlab/base/random.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/run/mission_run.h"
 #include "mlab/simulated/run.h"
@@ -37,7 +39,8 @@ class Planned : public testing::Test {
   }
 
   void make(const std::vector<Rock>& known, const std::string& parameters, int robots = 1,
-            const std::string& formation = "Column", const std::vector<Rock>& unknown = {}) {
+            const std::string& formation = "Column", const std::vector<Rock>& unknown = {},
+            const std::vector<overlay::ObstacleDisc>& moving = {}) {
     std::string text = "MISSION-AREA 600 400\n";
     for (const Rock& rock : known)
       text += fmt::format("OBSTACLE {} {} {}\n", rock.center.x, rock.center.y, rock.radius);
@@ -49,8 +52,10 @@ class Planned : public testing::Test {
         formation);
     text::Diagnostics sink;
     const auto source = std::make_shared<const text::Source>("test.mdl", text);
-    const auto mission = mdl::check_mission(source, "", sink);
-    ASSERT_NE(mission, nullptr) << text::render(sink);
+    const auto read = mdl::check_mission(source, "", sink);
+    ASSERT_NE(read, nullptr) << text::render(sink);
+    const auto mission = std::make_shared<mission::Mission>(*read);
+    mission->overlay.obstacles.insert(mission->overlay.obstacles.end(), moving.begin(), moving.end());
     run::RunSettings settings;
     settings.executive.patience = 60.0;
     settings.executive.proceed_all = true;
@@ -72,10 +77,13 @@ class Planned : public testing::Test {
     }
     return run_->state().outcome == mission::Outcome::kDone;
   }
+  /// Also those who were run over.
   unsigned contacts() const {
     unsigned out = 0;
-    for (const fleet::FleetRobot& robot : run_->fleet().robots())
-      out += run_->world().body(robot.body).contacts;
+    for (const fleet::FleetRobot& robot : run_->fleet().robots()) {
+      const binding::BodyState body = run_->world().body(robot.body);
+      out += body.contacts + body.run_over;
+    }
     return out;
   }
 
@@ -95,6 +103,49 @@ TEST_F(Planned, WhatNobodyKnewOfIsRemembered) {
   make({}, "plans_ways = true", 1, "Column", bow());
   EXPECT_TRUE(go()) << told_;
   EXPECT_EQ(contacts(), 0U);
+}
+
+// Whoever took it for something that stands there would have seen the gap closed, after a while.
+TEST_F(Planned, AGapIsNotClosedByWhatMovesInIt) {
+  std::vector<Rock> rocks;
+  for (int i = 0; i < 6; ++i) {
+    rocks.push_back({{300.0, 174.0 - 36.0 * i}, 20.0});
+    rocks.push_back({{300.0, 226.0 + 36.0 * i}, 20.0});
+  }
+  const overlay::ObstacleDisc moving = {.center = {300.0, 196.5},
+                                        .radius = 2.5,
+                                        .height = 0.0,
+                                        .place = {},
+                                        .route = {{300.0, 203.5}},
+                                        .speed = 1.0};
+  make(rocks, "plans_ways = true", 3, "Column", {}, {moving});
+  EXPECT_TRUE(go()) << told_;
+  EXPECT_EQ(told_.find("no way"), std::string::npos) << told_;
+  EXPECT_EQ(contacts(), 0U);
+}
+
+// Things of 1 to 3 m radius that cross the way at 1 to 3 m/s, there and back and round and round.
+std::vector<overlay::ObstacleDisc> traffic(std::uint64_t seed) {
+  base::Random random(seed);
+  const auto place = [&] { return geom::Point{random.uniform(200.0, 400.0), random.uniform(80.0, 320.0)}; };
+  std::vector<overlay::ObstacleDisc> out;
+  for (int i = 0; i < 8; ++i) {
+    overlay::ObstacleDisc& one = out.emplace_back();
+    one.center = place();
+    one.radius = random.uniform(1.0, 3.0);
+    one.speed = random.uniform(1.0, 3.0);
+    one.route = {place()};
+    if (i % 2 == 0) one.route = {one.route[0], place(), one.center};
+  }
+  return out;
+}
+
+TEST_F(Planned, EverybodyPassesThroughTrafficAndMeetsNothing) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    make({}, "plans_ways = true, formation_spacing = 10", 5, "Wedge", {}, traffic(seed));
+    EXPECT_TRUE(go()) << seed << "\n" << told_;
+    EXPECT_EQ(contacts(), 0U) << seed;
+  }
 }
 
 TEST_F(Planned, AFormationGoesRoundAndOpensAgain) {

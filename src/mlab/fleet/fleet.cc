@@ -442,6 +442,7 @@ const TeamGround& Fleet::ground_of(const FleetRobot& robot) const {
 void Fleet::note_found(std::uint32_t robot, const percept::Percepts& percepts, Worker& worker) const {
   const TeamGround& ground = ground_of(now_.robots[robot]);
   for (const percept::Obstacle& one : percepts.obstacles) {
+    if (one.is_moving()) continue;  // it will be elsewhere
     const geom::Point place = percepts.pose.point_at(one.center);
     if (!ground.knows(place)) worker.found.push_back({robot, {place, one.radius}});
   }

@@ -16,7 +16,9 @@ constexpr double kSame = 0.2;
 
 ways::Ground ground_of(const overlay::Overlay& map) {
   ways::Ground out;
-  for (const overlay::ObstacleDisc& disc : map.obstacles) out.discs.push_back({disc.center, disc.radius});
+  for (const overlay::ObstacleDisc& disc : map.obstacles) {
+    if (!disc.is_moving()) out.discs.push_back({disc.center, disc.radius});
+  }
   for (const overlay::Barrier& one : overlay::barriers(map)) out.walls.push_back(one.segment);
   return out;
 }
@@ -52,10 +54,13 @@ std::uint64_t revision_of(const ways::Ground& ground, ways::Bounds bounds) {
 }  // namespace
 
 TeamGround::TeamGround(const overlay::Overlay& map)
-    : TeamGround(ground_of(map), bounds_of(map.mission_area()), map.obstacles.size()) {}
+    : TeamGround(ground_of(map), bounds_of(map.mission_area()), std::nullopt) {}
 
-TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::size_t mapped)
-    : ground_(std::move(ground)), bounds_(bounds), mapped_(mapped), revision_(revision_of(ground_, bounds)) {}
+TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::optional<std::size_t> mapped)
+    : ground_(std::move(ground)),
+      bounds_(bounds),
+      mapped_(mapped.value_or(ground_.discs.size())),
+      revision_(revision_of(ground_, bounds)) {}
 
 bool TeamGround::knows(geom::Point place) const {
   std::call_once(looked_, [this] { things_.emplace(ground_, kSame); });

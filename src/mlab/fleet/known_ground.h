@@ -14,6 +14,7 @@
 namespace mlab::fleet {
 
 /// What a team knows to stand on the ground: what the map says, and what its robots have sensed besides.
+/// Nothing that moves is in it.
 /// Never changed, so checkpoints share it.
 class TeamGround {
  public:
@@ -30,7 +31,8 @@ class TeamGround {
   std::shared_ptr<const TeamGround> with(std::span<const ways::Round> sensed) const;
 
  private:
-  TeamGround(ways::Ground ground, ways::Bounds bounds, std::size_t mapped);
+  /// @param mapped  of the discs; nothing: all of them
+  TeamGround(ways::Ground ground, ways::Bounds bounds, std::optional<std::size_t> mapped);
 
   ways::Ground ground_;  // without bounds: things beyond them are known, too
   ways::Bounds bounds_;

@@ -21,6 +21,23 @@ TEST(TeamGround, KnowsWhatTheMapHas) {
   EXPECT_EQ(ground.view().revision, TeamGround(with_one_disc()).view().revision);
 }
 
+TEST(TeamGround, HasNothingOfTheMapThatMoves) {
+  overlay::Overlay map = with_one_disc();
+  map.obstacles.push_back({.center = {20.0, 20.0},
+                           .radius = 3.0,
+                           .height = 0.0,
+                           .place = {},
+                           .route = {{30.0, 20.0}},
+                           .speed = 1.0});
+  const TeamGround ground(map);
+  EXPECT_FALSE(ground.knows({20.0, 20.0}));
+  ASSERT_EQ(ground.view().discs.size(), 1U);
+  EXPECT_EQ(ground.view().revision, TeamGround(with_one_disc()).view().revision);
+  const std::vector<ways::Round> sensed = {{{70.0, 50.0}, 2.0}};
+  ASSERT_NE(ground.with(sensed), nullptr);
+  EXPECT_EQ(ground.with(sensed)->view().discs.size(), 2U);
+}
+
 TEST(TeamGround, RemembersWhatWasSensedOnce) {
   const TeamGround before(with_one_disc());
   const std::vector<ways::Round> sensed = {

@@ -151,7 +151,7 @@ geom::Offset reciprocal_velocity(geom::Offset wanted, geom::Offset now, std::spa
   std::size_t hard = 0;
   for (const Traffic& other : traffic.first(std::min(traffic.size(), kMost))) {
     lines[count++] = half_plane(other, now, cycle);
-    if (!other.shares) hard = count;
+    if (!other.shares && !other.passes) hard = count;
   }
   const auto all = std::span<const HalfPlane>(lines).first(count);
   const Best best = best_within(all, fastest, wanted, false);

@@ -16,15 +16,17 @@ struct Traffic {
   double reach = 0.0;     ///< that their centres must not come nearer than [m]
   double horizon = 3.0;   ///< how far ahead to look for it [s], > 0
   bool shares = false;    ///< it keeps clear as well, so each does half; else the body does all
+  bool passes =
+      false;  ///< it doesn't share, but moves: who can't keep clear of all gets out of its way least badly
 };
 
 /// The velocity nearest to the wanted one with which the body meets nobody within their horizons, if
 /// everybody keeps clear by this rule. Where there is none: the one that breaks it least, and never for what
-/// does not share.
+/// stands.
 ///
 /// @param wanted    [m/s]
 /// @param now       the body's velocity [m/s]
-/// @param traffic   those that don't share come first
+/// @param traffic   those that stand come first
 /// @param cycle     how long until it chooses anew [s], > 0
 /// @param fastest   [m/s]
 /// @source  J. van den Berg, S. J. Guy, M. Lin, D. Manocha, "Reciprocal n-body collision avoidance", ISRR

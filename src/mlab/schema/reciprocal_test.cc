@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -25,6 +26,29 @@ TEST(ReciprocalVelocity, StopsBeforeAWallOfThings) {
   for (int i = -6; i <= 6; ++i) wall.push_back({{4.0, static_cast<double>(i)}, {}, 1.0, 2.0, false});
   const Offset v = reciprocal_velocity({5.0, 0.0}, {5.0, 0.0}, wall, 0.1, 5.0);
   EXPECT_LE(v.x, 1.5 + 1e-9) << "in two seconds three metres";
+}
+
+TEST(ReciprocalVelocity, DoesAllOfItForWhatPasses) {
+  // It would be met in a second, and does nothing itself.
+  const Traffic passing{{3.0, 3.0}, {0.0, -3.0}, 1.0, 3.0, false, true};
+  const Offset v = reciprocal_velocity({3.0, 0.0}, {3.0, 0.0}, std::span(&passing, 1), 0.1, 4.0);
+  EXPECT_GT(length(v - Offset{3.0, 0.0}), 0.1);
+  double nearest = 1e9;
+  for (int i = 0; i <= 30; ++i) {
+    const double t = 0.1 * i;
+    nearest = std::min(nearest, length(passing.place + (passing.velocity - v) * t));
+  }
+  EXPECT_GT(nearest, 1.0 - 1e-6);
+}
+
+TEST(ReciprocalVelocity, KeepsOffWhatStandsThoughSomethingPassesOverIt) {
+  // Between a wall and something that comes: there is no way out, and the wall is not driven into.
+  std::vector<Traffic> traffic;
+  for (int i = -6; i <= 6; ++i) traffic.push_back({{-0.5, 0.3 * i}, {}, 0.5, 0.5, false});
+  traffic.push_back({{4.0, 0.0}, {-8.0, 0.0}, 3.9, 3.0, false, true});
+  const Offset v = reciprocal_velocity({1.0, 0.0}, {}, traffic, 0.1, 2.0);
+  EXPECT_GE(v.x, -1e-6);
+  EXPECT_LE(v.x, 0.1) << "nor towards what comes";
 }
 
 /// Bodies that all keep clear by the rule, each on its way to a place.
