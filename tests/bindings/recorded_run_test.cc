@@ -25,9 +25,10 @@ TEST_P(RecordedRun, DoesTheSameBitForBit) {
 }
 
 // One with formations and questions; one whose robots carry objects and look through cameras; one with range
-// sensors and a body that counts its wheels' turns; one with an area that nobody enters.
+// sensors and a body that counts its wheels' turns; one with an area that nobody enters; one with obstacles
+// that move.
 INSTANTIATE_TEST_SUITE_P(Missions, RecordedRun,
-                         ::testing::Values("demo_c", "forage", "rover", "mrv2", "minefield"));
+                         ::testing::Values("demo_c", "forage", "rover", "mrv2", "minefield", "crossing"));
 
 TEST(RecordedRun, IsTheSameAsTheRunThatIsNotRecorded) {
   const TemporaryFile file("percepts_plain");

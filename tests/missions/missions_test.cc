@@ -124,6 +124,7 @@ TEST_P(Mission, ArrivesWithAnySeedWithoutAContact) {
     for (const fleet::FleetRobot& robot : run->fleet().robots()) {
       ASSERT_NE(robot.life, fleet::RobotLife::kNotStarted);
       EXPECT_EQ(run->world().body(robot.body).contacts, 0U) << "robot " << robot.id.value;
+      EXPECT_EQ(run->world().body(robot.body).run_over, 0U) << "robot " << robot.id.value;
     }
     EXPECT_EQ(run->deliveries().size(), expected.value("deliveries", std::size_t{0}));
     for (const auto& [unit, place] : expected["units_end"].items()) {
@@ -194,9 +195,9 @@ TEST_P(Mission, GivesTheSameReportThoughEveryFifthPacketIsLost) {
 
 // In the order of the alphabet.
 const std::string kAllMissions[] = {
-    "demo_c",    "forage",       "formation_study", "formations", "gap",          "herd",
-    "minefield", "mrv2",         "patrol",          "rally",      "random_field", "robot_lab",
-    "rover",     "split_rejoin", "squeeze",         "survey",     "ugv"};
+    "crossing",  "demo_c",    "forage",       "formation_study", "formations", "gap",
+    "herd",      "minefield", "mrv2",         "patrol",          "rally",      "random_field",
+    "robot_lab", "rover",     "split_rejoin", "squeeze",         "survey",     "ugv"};
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission, ::testing::ValuesIn(kAllMissions),
                          [](const auto& test) { return test.param; });
