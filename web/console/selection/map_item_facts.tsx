@@ -73,6 +73,9 @@ function describe(scene: NonNullable<ReturnType<typeof usePart<"scene">>>, item:
       rows: [
         ["Place", `${obstacle.x.toFixed(1)}, ${obstacle.y.toFixed(1)} m`],
         ["Radius", distance(obstacle.radius)],
+        ...(obstacle.route.length > 0
+          ? [["Moves", `at ${obstacle.speed} m/s along ${obstacle.route.length + 1} points`] as const]
+          : []),
       ],
       document: obstacle.document,
       line: obstacle.line,

@@ -10,6 +10,7 @@ import type { PlacedLabel } from "./measure_labels.ts";
 import { boxOfMeasure, shapeOf } from "./measure_shape.ts";
 import { drawMilitary } from "./measures_military.ts";
 import { drawPlain } from "./measures_plain.ts";
+import { drawRoutes, isMoving } from "./moving.ts";
 import { fade } from "./palette.ts";
 import { crisp, fill, isOnScreen, stroke, trace, traceCircle, writeText } from "./strokes.ts";
 import type { MapPick, Pen } from "./tool.ts";
@@ -124,7 +125,9 @@ function drawObstacles(pen: Pen, scene: Scene): void {
   const { context, camera, palette } = pen;
   const color = pen.military ? palette.militaryObstacle : palette.obstacle;
   context.beginPath();
-  for (const { x, y, radius } of scene.obstacles) {
+  for (const obstacle of scene.obstacles) {
+    if (isMoving(obstacle)) continue; // drawn where it is now, over the robots
+    const { x, y, radius } = obstacle;
     const pixels = Math.max(1, radius * camera.scale);
     const sx = camera.toScreenX(x);
     const sy = camera.toScreenY(y);
@@ -134,6 +137,7 @@ function drawObstacles(pen: Pen, scene: Scene): void {
   }
   fill(pen, color);
   if (scene.obstacles.length < 3000) stroke(pen, { color: palette.obstacleEdge, width: 1 });
+  drawRoutes(pen, scene);
 }
 
 /** One object at its place now. Containers have a rim, fixed ones are squares with round corners. */

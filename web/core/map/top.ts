@@ -2,6 +2,7 @@
 import type { Box } from "../geometry.ts";
 import type { Model } from "../model.ts";
 import { drawObject } from "./ground.ts";
+import { drawMoving, hasMoving } from "./moving.ts";
 import { drawMarks, drawRobotLabels, hasMarks } from "./robot_marks.ts";
 import type { RobotStyles } from "./robot_styles.ts";
 import { drawStations, drawVectors } from "./team.ts";
@@ -18,6 +19,7 @@ export interface TopState {
 export function drawTop(pen: Pen, model: Model, state: TopState): void {
   const { layers } = model.get("map");
   const scene = model.get("scene");
+  if (scene && layers.obstacles && hasMoving(model)) drawMoving(pen, scene, model.time);
   if (scene && layers.objects) {
     for (const object of scene.objects) {
       const moved = model.movedObjects.get(object.id);
@@ -37,6 +39,7 @@ export function drawTop(pen: Pen, model: Model, state: TopState): void {
 export function isTopEmpty(model: Model, { hover }: TopState): boolean {
   const { layers, robotLabels } = model.get("map");
   if (model.movedObjects.size > 0 && layers.objects) return false;
+  if (layers.obstacles && hasMoving(model)) return false;
   if (!layers.robots) return true;
   if (hover?.kind === "robot" || model.get("selection").robots.length > 0 || robotLabels === "all") return false;
   if ((layers.stations && model.stations.count > 0) || (layers.vectors && model.vectors.count > 0)) return false;

@@ -9,6 +9,7 @@
 #include "mlab/console/published/scene_encoder.h"
 #include "mlab/lang/odl/limits.h"
 #include "mlab/lang/odl/write.h"
+#include "mlab/overlay/course.h"
 
 namespace mlab::console {
 namespace {
@@ -146,6 +147,16 @@ std::string problem_with(const Obstacle& obstacle) {
   if (!is_on_a_map(obstacle.x()) || !is_on_a_map(obstacle.y()))
     return "a coordinate is at most 100,000 km from 0";
   if (!is_length(obstacle.radius())) return "the radius of an obstacle is more than 0";
+  if (!obstacle.route().empty()) {
+    std::vector<geom::Point> way = points_of(obstacle.route());
+    way.insert(way.begin(), {obstacle.x(), obstacle.y()});
+    if (!std::ranges::all_of(way, [](geom::Point p) { return is_on_a_map(p.x) && is_on_a_map(p.y); }))
+      return "a coordinate is at most 100,000 km from 0";
+    if (!(overlay::length_of(way) >= overlay::Course::kShortest)) return "a route leads somewhere";
+    if (!(obstacle.speed() > 0.0 && obstacle.speed() <= odl::kMaxObstacleSpeed))
+      return fmt::format("the speed of an obstacle is more than 0 and at most {:g} m/s",
+                         odl::kMaxObstacleSpeed);
+  }
   return is_on_a_map(obstacle.height()) ? "" : "the height is too large";
 }
 
@@ -184,6 +195,8 @@ odl::Statement statement_of(const Obstacle& obstacle, geom::Offset origin) {
   out.points = {point({obstacle.x(), obstacle.y()}, origin)};
   out.numbers = {number(obstacle.radius())};
   if (obstacle.height() > 0.0) out.numbers.push_back(number(obstacle.height()));
+  out.route = points(points_of(obstacle.route()), origin);
+  if (!out.route.empty()) out.speed = number(obstacle.speed());
   return out;
 }
 
@@ -223,9 +236,13 @@ odl::Statement changed(const odl::Statement& was, const overlay::ControlMeasure&
   return out;
 }
 
+// One that moves keeps its route, which goes where it goes.
 odl::Statement changed(const odl::Statement& was, const overlay::ObstacleDisc& before, const Obstacle& after,
                        geom::Offset origin) {
   odl::Statement out = was;
+  std::vector<geom::Point> route = before.route;
+  for (geom::Point& point : route) point = point + (geom::Point{after.x(), after.y()} - before.center);
+  out.route = moved(was.route, before.route, route, origin_by(was.points, {before.center}, origin));
   out.points[0] = moved(was.points[0], before.center, {after.x(), after.y()}, origin);
   out.numbers[0] = moved(was.numbers[0], before.radius, after.radius());
   if (was.numbers.size() > 1)

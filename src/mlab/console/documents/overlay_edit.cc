@@ -272,6 +272,8 @@ class MapEdit {
   void add_obstacle_statement(const Obstacle& obstacle) {
     if (!is_target_cleared_) is_target_cleared_ = is_cleared_behind_target();
     if (*is_target_cleared_) {
+      if (!obstacle.route().empty())
+        refuse("an obstacle of the mission has no route: CREATE-OBSTACLES takes those of the overlay away");
       mission_lines_.push_back(
           mdl::print({{},
                       {},

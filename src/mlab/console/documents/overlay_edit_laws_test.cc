@@ -25,7 +25,9 @@ const std::string kMissionWithOverlays =
     "MISSION NAME x OVERLAY a.odl SP start 1 2 -- SP\nOVERLAY b.odl\nOBSTACLE 3 4 5 OBSTACLE 6 7 8\nUNIT <u> "
     "ROBOT\nCOMMAND LIST:\n 0. UNIT u START aa-one\n 1. UNIT u MOVETO PP-two PHASE-LINE three\n";
 const std::string kFirst =
-    "-- a\nORIGIN UTM LAT 33.7774 LON -84.3973\nMISSION-AREA 800 600\nControl Measures:\nAA One* UTM LAT "
+    "-- a\nORIGIN UTM LAT 33.7774 LON -84.3973\nMISSION-AREA 800 600\nControl Measures:\nOBSTACLE 7 7 2 "
+    "ROUTE UTM LAT 33.7783 LON "
+    "-84.3973 9 9 SPEED 1 AA One* UTM LAT "
     "33.7783 LON "
     "-84.3973 -- utm\n UTM LON -84.39 LAT 33.77 20 20 35\nPP two UTM LAT 33.778 LON -84.397\nWALL w 0 0, 5 "
     "5; 6 6 2 -- "
@@ -33,8 +35,9 @@ const std::string kFirst =
 const std::string kSecond =
     "ORIGIN 10 -20\r\nCONTROL MEASURES:\r\nPL three 0 0 -- c\r\n  10 10\r\n\r\n  20 0\r\nHALLWAY h "
     "CENTERLINE 1 2 3 4 "
-    "WIDTH 2 EXTENTS 1 1 3 3\r\nOBJECT 1 2 3 fixed red FLAG 4 4 BASKET 5 5 1\r\nOBSTACLE 1 2 3 4 GAP Door 1 "
-    "1 2 2";
+    "WIDTH 2 EXTENTS 1 1 3 3\r\nOBJECT 1 2 3 fixed red FLAG 4 4 BASKET 5 5 1\r\nOBSTACLE 1 2 3 4 obstacle 5 "
+    "5 1 route 9 5 "
+    "-- r\r\n 5 5 speed 2.0 GAP Door 1 1 2 2";
 
 std::vector<std::string> comments_of(const std::string& text) {
   std::vector<std::string> out;

@@ -244,6 +244,46 @@ TEST(OverlayEdit, ChangesHallwaysObstaclesAndObjects) {
   EXPECT_EQ(texts.said(), "");
 }
 
+TEST(OverlayEdit, AnObstacleThatMovesTakesItsRouteWithIt) {
+  MapOfTexts texts(
+      "ORIGIN 10 20\n" + kHeader +
+      "obstacle 1 2.0 3 route 4 5 -- there\n 6 7 Speed 1.50\nOBSTACLE 0 0 1 4 ROUTE 9 0 0 0 SPEED 2\n");
+  const Obstacle shown = texts.scene().obstacles(0);
+  ASSERT_EQ(shown.route_size(), 2);
+  EXPECT_EQ(shown.route(1).x(), 16.0);
+  EXPECT_EQ(shown.route(1).y(), 27.0);
+  EXPECT_EQ(shown.speed(), 1.5);
+  ASSERT_EQ(texts.change({move_obstacle(0, 12.5, 22, 4), move_obstacle(1, 10, 21, 1, 5)}), "");
+  EXPECT_EQ(texts.overlay(), "ORIGIN 10 20\n" + kHeader +
+                                 "obstacle 2.5 2.0 4 route 5.5 5 -- there\n 7.5 7 Speed 1.50\nOBSTACLE 0 1 1 "
+                                 "5 ROUTE 9 1 0 1 SPEED 2\n");
+  EXPECT_EQ(texts.map().obstacles[1].route.back(), texts.map().obstacles[1].center)
+      << "still round and round";
+  EXPECT_EQ(texts.said(), "");
+}
+
+TEST(OverlayEdit, AddsAnObstacleThatMoves) {
+  MapOfTexts texts(kHeader);
+  MapChange added;
+  Obstacle& obstacle = *added.mutable_add_obstacle();
+  obstacle.set_x(1);
+  obstacle.set_y(2);
+  obstacle.set_radius(3);
+  Point& point = *obstacle.add_route();
+  point.set_x(4);
+  point.set_y(5);
+  for (const double speed : {0.0, -1.0, 101.0, std::nan("")}) {
+    obstacle.set_speed(speed);
+    EXPECT_EQ(texts.change({added}), "the speed of an obstacle is more than 0 and at most 100 m/s") << speed;
+  }
+  obstacle.set_speed(1.5);
+  ASSERT_EQ(texts.change({added}), "");
+  EXPECT_EQ(texts.overlay(), kHeader + "OBSTACLE 1 2 3 ROUTE 4 5 SPEED 1.5\n");
+  point.set_x(1);
+  point.set_y(2);
+  EXPECT_EQ(texts.change({added}), "a route leads somewhere");
+}
+
 TEST(OverlayEdit, ChangesAKindAndKeepsTheRest) {
   MapOfTexts texts(kHeader + "AA a 1 2 20 -- here\nWALL w 1 2 3 4\n");
   Measure area = texts.scene().measures(0);

@@ -57,6 +57,12 @@ void encode(const overlay::ObstacleDisc& from, const PlaceOf& place_of, Obstacle
   to.set_y(from.center.y);
   to.set_radius(from.radius);
   to.set_height(from.height);
+  for (const geom::Point& point : from.route) {
+    Point& next = *to.add_route();
+    next.set_x(point.x);
+    next.set_y(point.y);
+  }
+  to.set_speed(from.speed);
   if (is_written(from)) set_place(place_of, from.place, to);
 }
 
@@ -159,7 +165,7 @@ void add_other_obstacles(const binding::WorldView& world, Scene& scene) {
   using Round = std::tuple<double, double, double>;
   std::vector<Round> shown;
   for (const Obstacle& obstacle : scene.obstacles())
-    shown.emplace_back(obstacle.x(), obstacle.y(), obstacle.radius());
+    if (obstacle.route().empty()) shown.emplace_back(obstacle.x(), obstacle.y(), obstacle.radius());
   std::ranges::sort(shown);
   for (const binding::Disc& disc : world.discs()) {
     if (std::ranges::binary_search(shown, Round{disc.center.x, disc.center.y, disc.radius})) continue;

@@ -85,6 +85,9 @@ inline Obstacle random_obstacle(base::Random& random) {
   out.set_x(random_coordinate(random));
   out.set_y(random_coordinate(random));
   out.set_radius(random.uniform(0.1, 20.0));
+  if (random.below(4) > 0) return out;
+  for (int i = 0; i < 2; ++i) add_point(*out.mutable_route(), random);
+  out.set_speed(random.uniform(0.1, 90.0));
   return out;
 }
 
@@ -169,7 +172,8 @@ inline bool is_near(const Measure& a, const Measure& b) {
 }
 inline bool is_near(const Obstacle& a, const Obstacle& b) {
   return is_near(a.x(), b.x()) && is_near(a.y(), b.y()) && is_near(a.radius(), b.radius()) &&
-         is_near(a.height(), b.height());
+         is_near(a.height(), b.height()) && is_near(a.route(), b.route()) &&
+         (a.route().empty() || is_near(a.speed(), b.speed()));
 }
 inline bool is_near(const WorldObject& a, const WorldObject& b) {
   return is_near(a.x(), b.x()) && is_near(a.y(), b.y()) && is_near(a.diameter(), b.diameter()) &&
@@ -205,9 +209,18 @@ inline std::string difference(Scene before, const MapChange& change, const Scene
   if (change.has_replace_measure())
     *before.mutable_measures(static_cast<int>(change.replace_measure().index())) =
         change.replace_measure().measure();
-  if (change.has_replace_obstacle())
-    *before.mutable_obstacles(static_cast<int>(change.replace_obstacle().index())) =
-        change.replace_obstacle().obstacle();
+  if (change.has_replace_obstacle()) {
+    Obstacle& replaced = *before.mutable_obstacles(static_cast<int>(change.replace_obstacle().index()));
+    const Obstacle was = replaced;
+    replaced = change.replace_obstacle().obstacle();
+    // It takes the route along that it has, whatever was asked for.
+    *replaced.mutable_route() = was.route();
+    replaced.set_speed(was.speed());
+    for (Point& point : *replaced.mutable_route()) {
+      point.set_x(point.x() + (replaced.x() - was.x()));
+      point.set_y(point.y() + (replaced.y() - was.y()));
+    }
+  }
   if (change.has_replace_object())
     *before.mutable_objects(static_cast<int>(change.replace_object().index())) =
         change.replace_object().object();
