@@ -145,7 +145,15 @@ TEST_F(Planned, EverybodyPassesThroughTrafficAndMeetsNothing) {
     make({}, "plans_ways = true, formation_spacing = 10", 5, "Wedge", {}, traffic(seed));
     EXPECT_TRUE(go()) << seed << "\n" << told_;
     EXPECT_EQ(contacts(), 0U) << seed;
+    EXPECT_EQ(run_->world().moving_discs().size(), 8U);
   }
+  unsigned met = 0;  // by those who take it for something that stands
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    make({}, "plans_ways = false, formation_spacing = 10", 5, "Wedge", {}, traffic(seed));
+    go();
+    met += contacts();
+  }
+  EXPECT_GT(met, 0U);
 }
 
 TEST_F(Planned, AFormationGoesRoundAndOpensAgain) {
