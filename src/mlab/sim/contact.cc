@@ -71,20 +71,6 @@ double drives_into(const ContactSolver::Passing& roamer, double gone, Point from
 
 }  // namespace
 
-bool Touched::meet(Thing met, double time) {
-  std::size_t oldest = 0;
-  for (std::size_t k = 0; k < thing.size(); ++k) {
-    if (thing[k] == met && until[k] >= time) {
-      until[k] = time + kSameContact;
-      return false;
-    }
-    if (until[k] < until[oldest]) oldest = k;
-  }
-  thing[oldest] = met;
-  until[oldest] = time + kSameContact;
-  return true;
-}
-
 void ContactSolver::Busy::meet(Thing thing) {
   if (thing == kNoThing || std::find(met.begin(), met.begin() + met_count, thing) != met.begin() + met_count)
     return;

@@ -26,6 +26,11 @@ const RingBeams& wall_rays() {
   return kRays;
 }
 
+// As seen by who looks ahead.
+Vector turned(geom::Offset o, geom::Offset ahead) {
+  return {ahead.x * o.x + ahead.y * o.y, ahead.x * o.y - ahead.y * o.x, 0.0};
+}
+
 double square_distance(Point a, Point b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
@@ -148,11 +153,7 @@ void Sensors::sense(percept::Sensor sensor, double reach, percept::Percepts& out
 }
 
 Vector Sensors::to_robot(Point point) const {
-  return turned(point - here_);
-}
-
-Vector Sensors::turned(geom::Offset o) const {
-  return {ahead_.x * o.x + ahead_.y * o.y, ahead_.x * o.y - ahead_.y * o.x, 0.0};
+  return turned(point - here_, ahead_);
 }
 
 void Sensors::see(double distance, std::uint32_t id, Point center, double radius) {
@@ -184,7 +185,7 @@ Vector Sensors::velocity_at(const Vector& hit) const {
   constexpr double kNear = 0.05;  // readings are rounded, and noisy [m]
   for (const MovingDisc& roamer : scene_.roamers) {
     if (std::abs(length(hit - to_robot(roamer.center)) - roamer.radius) < kNear)
-      return turned(roamer.velocity);
+      return turned(roamer.velocity, ahead_);
   }
   return {};
 }
@@ -211,6 +212,25 @@ void Sensors::see_by_ring(double range, percept::Percepts& out) {
   out.obstacles = buffer_.obstacles_;
 }
 
+void Sensors::see_roamers(double range) {
+  for (std::uint32_t k = 0; k < scene_.roamers.size(); ++k) {
+    const MovingDisc& roamer = scene_.roamers[k];
+    const double away = geom::distance(here_, roamer.center);
+    if (away > range + roamer.radius) continue;
+    const Vector v = to_robot(roamer.center);
+    buffer_.seen_.push_back({away - roamer.radius, kRoamerId + k, v.x, v.y, roamer.radius});
+  }
+}
+
+/// Of the obstacles that were told last.
+void Sensors::tell_velocities() {
+  for (std::size_t i = 0; i < buffer_.seen_.size(); ++i) {
+    const std::uint32_t id = buffer_.seen_[i].id;
+    if (id >= kRoamerId)
+      buffer_.obstacles_[i].velocity = turned(scene_.roamers[id - kRoamerId].velocity, ahead_);
+  }
+}
+
 void Sensors::sense_obstacles(double range, percept::Percepts& out) {
   if (scene_.kinds[scene_.bodies.kind[body_]].spec.has_ring_obstacles) {
     see_by_ring(range, out);
@@ -224,11 +244,7 @@ void Sensors::sense_obstacles(double range, percept::Percepts& out) {
                                if (square <= reach * reach)
                                  see(std::sqrt(square) - disc.radius, index, disc.center, disc.radius);
                              });
-  for (std::uint32_t k = 0; k < scene_.roamers.size(); ++k) {
-    const MovingDisc& roamer = scene_.roamers[k];
-    const double away = geom::distance(here_, roamer.center);
-    if (away <= range + roamer.radius) see(away - roamer.radius, kRoamerId + k, roamer.center, roamer.radius);
-  }
+  if (!scene_.roamers.empty()) see_roamers(range);
   collect_walls(range);
   if (!buffer_.walls_.empty()) {
     buffer_.beams_.assign(kWallRays, range);
@@ -250,13 +266,13 @@ void Sensors::sense_obstacles(double range, percept::Percepts& out) {
     ++area_id;
   });
   sort_seen();
-  buffer_.obstacles_.clear();
-  for (const auto& seen : buffer_.seen_)
-    buffer_.obstacles_.push_back({{seen.x, seen.y, 0.0}, seen.radius, {}});
-  for (std::size_t i = 0; i < buffer_.seen_.size() && !scene_.roamers.empty(); ++i) {
-    const std::uint32_t id = buffer_.seen_[i].id;
-    if (id >= kRoamerId) buffer_.obstacles_[i].velocity = turned(scene_.roamers[id - kRoamerId].velocity);
+  const std::size_t count = buffer_.seen_.size();
+  buffer_.obstacles_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& seen = buffer_.seen_[i];
+    buffer_.obstacles_[i] = {{seen.x, seen.y, 0.0}, seen.radius, {}};
   }
+  if (!scene_.roamers.empty()) tell_velocities();
   out.obstacles = buffer_.obstacles_;
 }
 

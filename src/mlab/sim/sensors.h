@@ -46,9 +46,10 @@ class Sensors {
   void sense_objects(double range, percept::Percepts& out);
   void sense_ranges(percept::Percepts& out);
   geom::Vector to_robot(geom::Point point) const;
-  geom::Vector turned(geom::Offset offset) const;
   geom::Vector velocity_at(const geom::Vector& hit) const;
   void see_by_ring(double range, percept::Percepts& out);
+  void see_roamers(double range);
+  void tell_velocities();
   void collect_walls(double reach);
   void collect_robots(double range);
   void see(double distance, std::uint32_t id, geom::Point center, double radius);

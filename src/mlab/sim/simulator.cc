@@ -16,7 +16,9 @@
 #include "mlab/sim/objects.h"
 #include "mlab/sim/odometry.h"
 #include "mlab/sim/placement.h"
+#include "mlab/sim/roaming.h"
 #include "mlab/sim/sensors.h"
+#include "mlab/sim/touched.h"
 
 namespace mlab::sim {
 namespace {
@@ -50,34 +52,6 @@ BodySpec usable(BodySpec spec) {
   spec.ring.arc = spec.ring.arc > 0.0 && spec.ring.arc < 2.0 * std::numbers::pi ? spec.ring.arc : 0.0;
   spec.odometry_noise = spec.odometry_noise > 0.0 ? std::min(spec.odometry_noise, 1.0) : 0.0;
   return spec;
-}
-
-bool is_same(const Statics& before, const Statics& now, std::uint32_t disc) {
-  return disc < before.discs().size() && disc < now.discs().size() &&
-         before.discs()[disc].center == now.discs()[disc].center &&
-         before.discs()[disc].radius == now.discs()[disc].radius;
-}
-
-bool is_same_group(const Statics& before, const Statics& now, Thing group) {
-  const auto of_group = [group](const Wall& wall) { return thing_of_wall(wall.group) == group; };
-  const auto is_same_wall = [](const Wall& a, const Wall& b) {
-    return a.segment.a == b.segment.a && a.segment.b == b.segment.b;
-  };
-  return std::ranges::equal(before.walls() | std::views::filter(of_group),
-                            now.walls() | std::views::filter(of_group), is_same_wall);
-}
-
-/// Contacts with things that have become others are over.
-void forget_changed(Bodies& bodies, const Statics& before, const Statics& now, double time) {
-  for (Touched& touched : bodies.touched) {
-    for (std::size_t k = 0; k < touched.thing.size(); ++k) {
-      const Thing thing = touched.thing[k];
-      if (touched.until[k] <= time || is_body(thing) || is_roamer(thing) || thing == kNoThing) continue;
-      const bool stays =
-          is_disc(thing) ? is_same(before, now, thing - thing_of_disc(0)) : is_same_group(before, now, thing);
-      if (!stays) touched.until[k] = -1;
-    }
-  }
 }
 
 class Stopwatch {
@@ -125,10 +99,11 @@ struct Simulator::Parts {
     place_roamers();
   }
 
-  /// Notes where roamers are now.
-  void place_roamers();
-  /// The same, and the ways that they made since they were noted.
-  std::span<const ContactSolver::Passing> move_roamers(double until);
+  /// Where roamers are now.
+  void place_roamers() {
+    roaming.place(*state.roamers, state.time);
+    placer.keep_free_of(roaming.discs());
+  }
   /// Sorts bodies and objects anew where they moved since. Whichever thread comes first does it.
   void refresh();
   /// Notes how far somebody asks for robots [m].
@@ -150,11 +125,10 @@ struct Simulator::Parts {
   SimulatorSettings settings;
   Workers workers;
   State state;
-  std::vector<std::uint32_t> by_robot;          ///< body indices in the order of robot ids
-  bool has_odometry = false;                    ///< some kind counts its wheels
-  std::vector<geom::Pose> departure;            ///< of all bodies, before they move; where has_odometry
-  std::vector<MovingDisc> moving;               ///< the roamers, where they are now
-  std::vector<ContactSolver::Passing> passing;  ///< in this cycle
+  std::vector<std::uint32_t> by_robot;  ///< body indices in the order of robot ids
+  bool has_odometry = false;            ///< some kind counts its wheels
+  std::vector<geom::Pose> departure;    ///< of all bodies, before they move; where has_odometry
+  Roaming roaming;
   PointGrid grid;
   std::vector<PointGrid::Item> items;
   std::atomic<float> asked{0.0F};  ///< the farthest that robots were looked for since the grid was built [m]
@@ -166,22 +140,6 @@ struct Simulator::Parts {
   ContactSolver contact;
   StepTimes times;
 };
-
-void Simulator::Parts::place_roamers() {
-  moving.clear();
-  for (const Roamer& roamer : *state.roamers) moving.push_back(roamer.at(state.time));
-  placer.keep_free_of(moving);
-}
-
-std::span<const ContactSolver::Passing> Simulator::Parts::move_roamers(double until) {
-  passing.clear();
-  for (std::size_t k = 0; k < moving.size(); ++k) {
-    const Point from = moving[k].center;
-    moving[k] = (*state.roamers)[k].at(until);
-    passing.push_back({from, moving[k].center - from, moving[k].radius});
-  }
-  return passing;
-}
 
 void Simulator::Parts::refresh() {
   if (!is_stale.load(std::memory_order_acquire)) return;
@@ -394,9 +352,9 @@ void Simulator::sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& 
   out.carried = carried == 0 ? base::ObjectId{} : state.objects.list()[carried - 1].id;
   out.carried_class =
       carried == 0 ? percept::ObjectClass::kUnknown : state.objects.list()[carried - 1].object_class;
-  const Sensors::Scene scene{bodies,        parts_->grid,        *state.statics,
-                             state.objects, parts_->state.kinds, parts_->settings.seed,
-                             state.cycle,   parts_->moving};
+  const Sensors::Scene scene{bodies,        parts_->grid,           *state.statics,
+                             state.objects, parts_->state.kinds,    parts_->settings.seed,
+                             state.cycle,   parts_->roaming.discs()};
   Sensors sensors(scene, i, buffer);
   using percept::Sensor;
   const bool uses_ring =
@@ -451,7 +409,8 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   p.times.move += watch.lap();
 
   const double until = p.state.time + dt;
-  p.contact.move(bodies, {*p.state.statics, p.grid, p.state.area, until, dt, p.move_roamers(until)},
+  p.contact.move(bodies,
+                 {*p.state.statics, p.grid, p.state.area, until, dt, p.roaming.move(*p.state.roamers, until)},
                  p.workers);
   p.times.contact += watch.lap();
 
@@ -492,7 +451,7 @@ std::span<const Disc> Simulator::discs() const {
   return parts_->state.statics->discs();
 }
 std::span<const MovingDisc> Simulator::moving_discs() const {
-  return parts_->moving;
+  return parts_->roaming.discs();
 }
 std::span<const Wall> Simulator::walls() const {
   return parts_->state.statics->walls();
@@ -529,7 +488,7 @@ std::vector<Placement> Simulator::Parts::replace_statics(std::vector<Disc> discs
     placer.rebuild(bodies);
     moved.push_back({{i}, {*place, bodies.heading[i]}, true});
   }
-  placer.keep_free_of(moving);
+  placer.keep_free_of(roaming.discs());
   state.objects.follow(bodies);
   is_stale = true;
   return moved;
@@ -568,11 +527,7 @@ void Simulator::set_roamers(std::vector<Roamer> roamers) {
   world.roamers = std::move(roamers);
   keep_usable(world);
   parts_->state.roamers = std::make_shared<const std::vector<Roamer>>(std::move(world.roamers));
-  for (Touched& touched : parts_->state.bodies.touched) {
-    for (std::size_t k = 0; k < touched.thing.size(); ++k) {
-      if (is_roamer(touched.thing[k])) touched.until[k] = -1;
-    }
-  }
+  forget_roamers(parts_->state.bodies);
   parts_->place_roamers();
   parts_->is_placer_stale = true;
 }
