@@ -99,6 +99,42 @@ TEST(Teleoperation, GoesWhereTheStickPointsAndNotIntoObstacles) {
   EXPECT_EQ(trial.simulator().contacts(trial.body()), 0U);
 }
 
+// Ordered to a place, or along a route.
+percept::Order command(percept::Task task, geom::Point goal) {
+  percept::Order order;
+  order.sequence = 1;
+  order.task = task;
+  order.goal = goal;
+  return order;
+}
+
+TEST(FollowCommands, GoesToTheGoalOfTheCommandAndTellsThatItIsThere) {
+  Trial trial("FollowCommands()", with({{{10, 0.2}, 1.0}}), {{0, 0}, 0});
+  trial.run(5);
+  EXPECT_LT(trial.distance_to({0, 0}), 0.1) << "without a command";
+  trial.percepts().order = command(percept::Task::kMoveTo, {20, 0});
+  EXPECT_TRUE(trial.run(60, [&] { return trial.action().status.done; }));
+  EXPECT_LT(trial.distance_to({20, 0}), 1.1);
+  EXPECT_EQ(trial.simulator().contacts(trial.body()), 0U);
+}
+
+TEST(FollowCommands, StandsWhileItsUnitHasToHold) {
+  Trial trial("FollowCommands()", {}, {{0, 0}, 0});
+  trial.percepts().order = command(percept::Task::kMoveTo, {20, 0});
+  trial.percepts().order.halted = true;
+  trial.run(10);
+  EXPECT_LT(trial.distance_to({0, 0}), 0.1);
+}
+
+TEST(FollowCommands, FollowsTheRouteToItsEnd) {
+  const std::vector<geom::Point> route = {{0, 0}, {20, 0}, {20, 20}};
+  Trial trial("FollowCommands()", {}, {{0, 0}, 0});
+  trial.percepts().order = command(percept::Task::kFollow, {20, 20});
+  trial.percepts().order.route = route;
+  EXPECT_TRUE(trial.run(120, [&] { return trial.action().status.done; }));
+  EXPECT_LT(trial.distance_to({20, 20}), 1.1);
+}
+
 TEST(FollowRoad, KeepsToTheMiddleAndComesToTheEnd) {
   Trial trial("FollowRoad(start = [0 m, 0 m], end = [40 m, 0 m], width = 4 m)", with({{{20, 1.5}, 0.5}}),
               {{0, 5}, 0});

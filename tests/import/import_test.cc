@@ -16,6 +16,7 @@
 #include "mlab/lang/cdl_historic/import.h"
 #include "mlab/lang/cdl_historic/layout.h"
 #include "mlab/lang/cdl_historic/library_names.h"
+#include "mlab/lang/cdl_historic/standing.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/robot/program/robot_program.h"
@@ -130,6 +131,42 @@ TEST(Import, DrawsNothingOverSomethingElse) {
   EXPECT_GT(boxes, 100U);
 }
 
+// What is missing in the robots of imported configurations.
+struct Missing {
+  int robots = 0;
+  int with_stubs = 0;  // in a file that declares empty assemblages
+  int standing = 0;    // moved by nothing, in some state or in all
+  friend bool operator==(const Missing&, const Missing&) = default;
+};
+
+Missing missing_in(const text::SourcePtr& source) {
+  text::Diagnostics sink;
+  const cdl::Tree tree = cdl::parse(source, sink);
+  Missing out;
+  bool has_stubs = false;
+  for (const cdl::Item& item : tree.items) {
+    if (std::holds_alternative<cdl::Robot>(item)) ++out.robots;
+    const auto* assemblage = std::get_if<cdl::Assemblage>(&item);
+    has_stubs |= assemblage != nullptr && assemblage->body == nullptr;
+  }
+  if (has_stubs) out.with_stubs = out.robots;
+  out.standing = static_cast<int>(cdl_historic::standing_robots(tree).size());
+  return out;
+}
+
+// A catalog's names answered is what a user gets: robots that do something.
+TEST(Import, LeavesFewRobotsOfTheCorpusWithoutAPart) {
+  if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
+  Missing all;
+  for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
+    const Missing one = missing_in(imported(path));
+    all = {all.robots + one.robots, all.with_stubs + one.with_stubs, all.standing + one.standing};
+  }
+  EXPECT_GE(all.robots, 41);
+  EXPECT_EQ(all.with_stubs, 6) << "the contract net, communication-sensitive behaviors";
+  EXPECT_EQ(all.standing, 5);
+}
+
 // A configuration that uses a library name in its own place, with this value for all of its parameters.
 text::SourcePtr using_the_name(const cdl_historic::LibraryName& row, const std::string& value) {
   const char* architecture = (row.architectures & cdl_historic::kUrban) != 0   ? "AuRA.urban"
@@ -180,7 +217,7 @@ TEST(Import, EveryLibraryNameIsInTheLibraryWithItsParameters) {
     ASSERT_NE(ours, nullptr) << row.historic << " should be " << row.ours;
     EXPECT_EQ(ours->result, row.type) << row.historic;
     for (const cdl_historic::LibraryPort& port : row.ports) {
-      if (port.ours.empty()) continue;  // means nothing here
+      if (port.ours.empty() || port.ours == cdl_historic::kOnScreen) continue;  // means nothing here
       EXPECT_NE(ours->find(port.ours), nullptr)
           << row.historic << ": " << row.ours << " has no " << port.ours;
     }
