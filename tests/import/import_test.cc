@@ -163,8 +163,8 @@ TEST(Import, LeavesFewRobotsOfTheCorpusWithoutAPart) {
     all = {all.robots + one.robots, all.with_stubs + one.with_stubs, all.standing + one.standing};
   }
   EXPECT_GE(all.robots, 41);
-  EXPECT_EQ(all.with_stubs, 6) << "the contract net, communication-sensitive behaviors";
-  EXPECT_EQ(all.standing, 5);
+  EXPECT_EQ(all.with_stubs, 2) << "communication-sensitive behaviors";
+  EXPECT_EQ(all.standing, 1);
 }
 
 // A configuration that uses a library name in its own place, with this value for all of its parameters.
