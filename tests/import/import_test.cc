@@ -1,15 +1,19 @@
 // Historic configurations become programs that run; the table of library names agrees with the library.
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/source_folder.h"
+#include "mlab/fleet/fleet.h"
 #include "mlab/flow/program.h"
 #include "mlab/lang/cdl/print/format.h"
 #include "mlab/lang/cdl/syntax/parser.h"
@@ -20,6 +24,7 @@
 #include "mlab/percept/percepts.h"
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/robot/program/robot_program.h"
+#include "mlab/sim/simulated_binding.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab {
@@ -165,6 +170,53 @@ TEST(Import, LeavesFewRobotsOfTheCorpusWithoutAPart) {
   EXPECT_GE(all.robots, 41);
   EXPECT_EQ(all.with_stubs, 2) << "communication-sensitive behaviors";
   EXPECT_EQ(all.standing, 1);
+}
+
+// The console's robot finds an enemy and announces that he is to be tracked; the nearer bidder gets the task,
+// follows him until the console ends that, and the mission is over.
+TEST(Import, AHistoricTeamDividesItsTaskByTheContractNet) {
+  const fs::path path = corpus() / "ao-fnc_demos__sample-type-I-track.cdl";
+  if (!fs::exists(path)) GTEST_SKIP() << "no corpus at " << corpus();
+  const text::SourcePtr source = imported(path);
+  mission::Mission mission;
+  mission::Unit unit;
+  std::vector<robot::RobotProgram> programs;
+  for (std::uint32_t id = 1; id <= 3; ++id) {
+    text::Diagnostics sink;
+    const auto made =
+        robot::configure(source, "sample_type_I_trackRobot" + std::to_string(id), "", {}, {}, sink);
+    ASSERT_TRUE(made.has_value()) << text::render(sink);
+    robot::RobotProgram program;
+    program.program = made->built.program;
+    program.initial = program.program->make_frame();
+    programs.push_back(std::move(program));
+    mission::Robot robot;
+    robot.id = {id};
+    robot.type = id - 1;
+    mission.robots.push_back(robot);
+    unit.members.push_back({id});
+  }
+  mission.types.resize(3);
+  mission.units.push_back(unit);
+  sim::World world;
+  world.objects.push_back(
+      {{1}, percept::ObjectClass::kEnemyRobot, percept::ObjectStyle::kFixed, {90, 0}, 0.3, {}, {}});
+  sim::SimulatedBinding bodies(world);
+  fleet::Fleet fleet(mission, programs, std::vector<binding::BodySpec>(3), bodies, 1);
+  for (const std::uint32_t id : {1U, 2U, 3U}) ASSERT_TRUE(fleet.start({id}, {{10.0 * id, 5.0 * id}, 0.0}));
+  const auto task = [&] {
+    const percept::Percepts told = fleet.perceive_at(*fleet.find({1}), {}, {}, 0.1);
+    return told.contracts.empty() ? percept::Contract{} : told.contracts.front();
+  };
+  bool is_over = false;
+  for (int cycle = 0; cycle < 3000 && !is_over; ++cycle) {
+    fleet.step(0.1);
+    is_over = task().state == percept::ContractState::kDone;
+  }
+  EXPECT_TRUE(is_over);
+  EXPECT_EQ(task().contractor.value, 3U) << "the nearest";
+  EXPECT_LT(geom::distance(fleet.pose(*fleet.find({3})).position, {90, 0}), 21.0);
+  EXPECT_LT(geom::distance(fleet.pose(*fleet.find({2})).position, {20, 10}), 0.1) << "had no task";
 }
 
 // A configuration that uses a library name in its own place, with this value for all of its parameters.
