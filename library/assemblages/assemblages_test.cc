@@ -1,7 +1,10 @@
 // Each assemblage does what it says, in a small world.
 
+#include <cstdint>
 #include <numbers>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "mlab/library/library.h"
 
@@ -97,6 +100,148 @@ TEST(Teleoperation, GoesWhereTheStickPointsAndNotIntoObstacles) {
   EXPECT_GT(trial.place().x, 6.0);
   EXPECT_LT(trial.place().x, 8.8);
   EXPECT_EQ(trial.simulator().contacts(trial.body()), 0U);
+}
+
+sim::World with_a_mine(geom::Point place) {
+  sim::World world;
+  world.objects.push_back({{1}, ObjectClass::kMine, percept::ObjectStyle::kMovable, place, 0.2, {}, {}});
+  return world;
+}
+
+TEST(RunEODTask, PicksUpTheMine) {
+  Trial trial("RunEODTask()", with_a_mine({40, 0}), {{0, 0}, 0});
+  EXPECT_TRUE(trial.run(90, [&] { return trial.has_heard("EODTask completed."); }));
+  EXPECT_EQ(trial.percepts().carried.value, 1U);
+  EXPECT_GT(trial.place().x, 15.0) << "from near";
+}
+
+TEST(RunEODTask, IsDoneAtOnceWithoutAMine) {
+  Trial trial("RunEODTask()", {}, {{0, 0}, 0});
+  EXPECT_TRUE(trial.run(2, [&] { return trial.has_heard("EODTask completed."); }));
+}
+
+TEST(RunInspectTask, GoesToTheEnemyAndTellsTheOperatorWhatItFound) {
+  Trial trial("RunInspectTask()", {}, {{0, 0}, 0});
+  trial.add({25, 0}, 0, 0.0, ObjectClass::kEnemyRobot);
+  EXPECT_TRUE(trial.run(90, [&] { return trial.has_heard("InspectTask completed."); }));
+  EXPECT_TRUE(trial.has_heard("Enemy put down weapons."));
+  EXPECT_EQ(trial.alert().substr(0, 24), "Warning: No weapon found");
+  EXPECT_LT(trial.distance_to({25, 0}), 8.0);
+}
+
+TEST(RunTrackTask, FollowsTheEnemyAndGivesUpWhereThereIsNone) {
+  Trial trial("RunTrackTask()", {}, {{0, 0}, 0});
+  const sim::BodyIndex enemy = trial.add({30, 0}, 0, 0.3, ObjectClass::kEnemyRobot);
+  trial.run(120);
+  EXPECT_GT(trial.place(enemy).x, 60.0);
+  EXPECT_LT(geom::distance(trial.place(), trial.place(enemy)), 22.0);
+  EXPECT_FALSE(trial.has_heard("TrackTask reneged."));
+  Trial alone("RunTrackTask()", {}, {{0, 0}, 0});
+  EXPECT_TRUE(alone.run(2, [&] { return alone.has_heard("TrackTask reneged."); }));
+}
+
+TEST(RunObserveTask, TellsTheOperatorWhenTheEnemyLeaves) {
+  Trial trial("RunObserveTask()", {}, {{0, 0}, 0});
+  trial.add({90, 0}, 0, 1.0, ObjectClass::kEnemyRobot);
+  EXPECT_FALSE(trial.run(15, [&] { return !trial.alert().empty(); }));
+  EXPECT_TRUE(trial.run(15, [&] { return trial.has_heard("ObserveTask completed."); }));
+  EXPECT_EQ(trial.alert().substr(0, 25), "Warning: Enemy is leaving");
+  EXPECT_LT(trial.distance_to({0, 0}), 0.1);
+}
+
+TEST(RunInterceptTask, MeetsTheEnemyAndTellsHimToStop) {
+  Trial trial("RunInterceptTask()", {}, {{0, 0}, 0});
+  trial.add({60, -20}, kNorth, 0.4, ObjectClass::kEnemyRobot);
+  EXPECT_TRUE(trial.run(120, [&] { return trial.has_heard("InterceptTask completed."); }));
+  EXPECT_TRUE(trial.has_heard("Enemy stop."));
+  EXPECT_GT(trial.place().x, 20.0);
+}
+
+// The requests of that kind in this cycle.
+int asks(const Trial& trial, percept::Request::Kind kind) {
+  int out = 0;
+  for (std::uint8_t i = 0; i < trial.action().request_count; ++i)
+    out += trial.action().requests[i].kind == kind ? 1 : 0;
+  return out;
+}
+
+TEST(TellTarget, TellsWhereTheTargetIs) {
+  Trial trial("TellTarget(classes = Mine)", with_a_mine({9, 3}), {{0, 0}, 0});
+  EXPECT_TRUE(trial.run(1, [&] { return asks(trial, percept::Request::Kind::kSharePlace) == 1; }));
+  EXPECT_NEAR(trial.action().requests[0].place.x, 9.0, 1e-9);
+  EXPECT_TRUE(trial.run(2, [&] { return trial.has_heard("Dynamic constraints saved."); }));
+}
+
+TEST(ExecuteTask, DoesWhatItsNameSaysAndTellsThatItIsDone) {
+  using Kind = percept::Request::Kind;
+  for (const char* name : {"EODTask", "Visit"}) {
+    std::vector<percept::Contract> contracts(1);
+    contracts[0].task = base::hash_text(name);
+    contracts[0].place = {0, 12};
+    contracts[0].state = percept::ContractState::kAwarded;
+    contracts[0].contractor = {1};
+    Trial trial("ExecuteTask()", with_a_mine({15, 0}), {{0, 0}, 0});
+    trial.percepts().id = {1};
+    trial.percepts().contracts = contracts;
+    EXPECT_TRUE(trial.run(1, [&] { return asks(trial, Kind::kStartTask) == 1; }));
+    contracts[0].state = percept::ContractState::kStarted;
+    EXPECT_TRUE(trial.run(90, [&] {
+      EXPECT_EQ(asks(trial, Kind::kKeepTasks), 1);
+      return asks(trial, Kind::kFinishTask) == 1;
+    }));
+    const bool has_mine = trial.percepts().carried.value == 1;
+    EXPECT_EQ(has_mine, std::string(name) == "EODTask");
+    if (!has_mine) {
+      EXPECT_LT(trial.distance_to({0, 12}), 1.2);
+    }
+  }
+}
+
+TEST(ExecuteTask, GivesBackATaskThatItCannotDo) {
+  std::vector<percept::Contract> contracts(1);
+  contracts[0].task = base::hash_text("TrackTask");
+  contracts[0].state = percept::ContractState::kStarted;
+  contracts[0].contractor = {1};
+  Trial trial("ExecuteTask()", {}, {{0, 0}, 0});
+  trial.percepts().id = {1};
+  trial.percepts().contracts = contracts;
+  EXPECT_TRUE(trial.run(5, [&] { return asks(trial, percept::Request::Kind::kRenegeTask) == 1; }));
+}
+
+// Ordered to a place, or along a route.
+percept::Order command(percept::Task task, geom::Point goal) {
+  percept::Order order;
+  order.sequence = 1;
+  order.task = task;
+  order.goal = goal;
+  return order;
+}
+
+TEST(FollowCommands, GoesToTheGoalOfTheCommandAndTellsThatItIsThere) {
+  Trial trial("FollowCommands()", with({{{10, 0.2}, 1.0}}), {{0, 0}, 0});
+  trial.run(5);
+  EXPECT_LT(trial.distance_to({0, 0}), 0.1) << "without a command";
+  trial.percepts().order = command(percept::Task::kMoveTo, {20, 0});
+  EXPECT_TRUE(trial.run(60, [&] { return trial.action().status.done; }));
+  EXPECT_LT(trial.distance_to({20, 0}), 1.1);
+  EXPECT_EQ(trial.simulator().contacts(trial.body()), 0U);
+}
+
+TEST(FollowCommands, StandsWhileItsUnitHasToHold) {
+  Trial trial("FollowCommands()", {}, {{0, 0}, 0});
+  trial.percepts().order = command(percept::Task::kMoveTo, {20, 0});
+  trial.percepts().order.halted = true;
+  trial.run(10);
+  EXPECT_LT(trial.distance_to({0, 0}), 0.1);
+}
+
+TEST(FollowCommands, FollowsTheRouteToItsEnd) {
+  const std::vector<geom::Point> route = {{0, 0}, {20, 0}, {20, 20}};
+  Trial trial("FollowCommands()", {}, {{0, 0}, 0});
+  trial.percepts().order = command(percept::Task::kFollow, {20, 20});
+  trial.percepts().order.route = route;
+  EXPECT_TRUE(trial.run(120, [&] { return trial.action().status.done; }));
+  EXPECT_LT(trial.distance_to({20, 20}), 1.1);
 }
 
 TEST(FollowRoad, KeepsToTheMiddleAndComesToTheEnd) {

@@ -70,6 +70,40 @@ TEST(ReportStatus, HasNothingToTellWithoutACommand) {
   EXPECT_FALSE(p.action.status.done);
 }
 
+TEST(ReportArrival, IsDoneWithinTheRadiusOfTheGoalAndStaysDone) {
+  flow::BehaviorProbe p = probe("ReportArrival");
+  p.percepts.order.task = Task::kMoveTo;
+  p.percepts.order.sequence = 3;
+  p.set("goal", Vector{3.0, 4.0}).set("success_radius", 2.0).step();
+  EXPECT_EQ(p.action.status.sequence, 3U);
+  EXPECT_FALSE(p.action.status.done);
+  EXPECT_DOUBLE_EQ(p.action.status.remaining, 3.0);
+  p.set("goal", Vector{1.0, 0.0}).step();
+  EXPECT_TRUE(p.action.status.done);
+  p.set("goal", Vector{9.0, 0.0}).step();
+  EXPECT_TRUE(p.action.status.done) << "once done";
+  p.percepts.order.sequence = 4;
+  p.step();
+  EXPECT_FALSE(p.action.status.done) << "another command";
+}
+
+TEST(ReportArrival, TakesTheRestOfTheRouteForFollowAndTheOperatorForTeleoperate) {
+  flow::BehaviorProbe p = probe("ReportArrival");
+  p.percepts.order.task = Task::kFollow;
+  p.percepts.order.sequence = 1;
+  p.set("goal", Vector{}).set("route_remaining", 40.0).step();
+  EXPECT_FALSE(p.action.status.done);
+  p.set("route_remaining", 0.5).step();
+  EXPECT_TRUE(p.action.status.done);
+  p.percepts.order.task = Task::kTeleoperate;
+  p.percepts.order.sequence = 2;
+  p.step();
+  EXPECT_FALSE(p.action.status.done);
+  p.percepts.joystick.complete = true;
+  p.step();
+  EXPECT_TRUE(p.action.status.done);
+}
+
 TEST(ReportFlags, TakesTheFlagOfTheCommand) {
   constexpr std::pair<Task, const char*> kFlags[] = {{Task::kMoveTo, "move_to_done"},
                                                      {Task::kSweepTo, "move_to_done"},

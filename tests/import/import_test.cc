@@ -1,24 +1,30 @@
 // Historic configurations become programs that run; the table of library names agrees with the library.
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/source_folder.h"
+#include "mlab/fleet/fleet.h"
 #include "mlab/flow/program.h"
 #include "mlab/lang/cdl/print/format.h"
 #include "mlab/lang/cdl/syntax/parser.h"
 #include "mlab/lang/cdl_historic/import.h"
 #include "mlab/lang/cdl_historic/layout.h"
 #include "mlab/lang/cdl_historic/library_names.h"
+#include "mlab/lang/cdl_historic/standing.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/robot/program/robot_program.h"
+#include "mlab/sim/simulated_binding.h"
 #include "mlab/text/testing/golden.h"
 
 namespace mlab {
@@ -130,6 +136,89 @@ TEST(Import, DrawsNothingOverSomethingElse) {
   EXPECT_GT(boxes, 100U);
 }
 
+// What is missing in the robots of imported configurations.
+struct Missing {
+  int robots = 0;
+  int with_stubs = 0;  // in a file that declares empty assemblages
+  int standing = 0;    // moved by nothing, in some state or in all
+  friend bool operator==(const Missing&, const Missing&) = default;
+};
+
+Missing missing_in(const text::SourcePtr& source) {
+  text::Diagnostics sink;
+  const cdl::Tree tree = cdl::parse(source, sink);
+  Missing out;
+  bool has_stubs = false;
+  for (const cdl::Item& item : tree.items) {
+    if (std::holds_alternative<cdl::Robot>(item)) ++out.robots;
+    const auto* assemblage = std::get_if<cdl::Assemblage>(&item);
+    has_stubs |= assemblage != nullptr && assemblage->body == nullptr;
+  }
+  if (has_stubs) out.with_stubs = out.robots;
+  out.standing = static_cast<int>(cdl_historic::standing_robots(tree).size());
+  return out;
+}
+
+// A catalog's names answered is what a user gets: robots that do something.
+TEST(Import, LeavesFewRobotsOfTheCorpusWithoutAPart) {
+  if (!fs::is_directory(corpus())) GTEST_SKIP() << "no corpus at " << corpus();
+  Missing all;
+  for (const fs::path& path : text::testing::golden_files(corpus(), ".cdl")) {
+    const Missing one = missing_in(imported(path));
+    all = {all.robots + one.robots, all.with_stubs + one.with_stubs, all.standing + one.standing};
+  }
+  EXPECT_GE(all.robots, 41);
+  EXPECT_EQ(all.with_stubs, 2) << "communication-sensitive behaviors";
+  EXPECT_EQ(all.standing, 1);
+}
+
+// The console's robot finds an enemy and announces that he is to be tracked; the nearer bidder gets the task,
+// follows him until the console ends that, and the mission is over.
+TEST(Import, AHistoricTeamDividesItsTaskByTheContractNet) {
+  const fs::path path = corpus() / "ao-fnc_demos__sample-type-I-track.cdl";
+  if (!fs::exists(path)) GTEST_SKIP() << "no corpus at " << corpus();
+  const text::SourcePtr source = imported(path);
+  mission::Mission mission;
+  mission::Unit unit;
+  std::vector<robot::RobotProgram> programs;
+  for (std::uint32_t id = 1; id <= 3; ++id) {
+    text::Diagnostics sink;
+    const auto made =
+        robot::configure(source, "sample_type_I_trackRobot" + std::to_string(id), "", {}, {}, sink);
+    ASSERT_TRUE(made.has_value()) << text::render(sink);
+    robot::RobotProgram program;
+    program.program = made->built.program;
+    program.initial = program.program->make_frame();
+    programs.push_back(std::move(program));
+    mission::Robot robot;
+    robot.id = {id};
+    robot.type = id - 1;
+    mission.robots.push_back(robot);
+    unit.members.push_back({id});
+  }
+  mission.types.resize(3);
+  mission.units.push_back(unit);
+  sim::World world;
+  world.objects.push_back(
+      {{1}, percept::ObjectClass::kEnemyRobot, percept::ObjectStyle::kFixed, {90, 0}, 0.3, {}, {}});
+  sim::SimulatedBinding bodies(world);
+  fleet::Fleet fleet(mission, programs, std::vector<binding::BodySpec>(3), bodies, 1);
+  for (const std::uint32_t id : {1U, 2U, 3U}) ASSERT_TRUE(fleet.start({id}, {{10.0 * id, 5.0 * id}, 0.0}));
+  const auto task = [&] {
+    const percept::Percepts told = fleet.perceive_at(*fleet.find({1}), {}, {}, 0.1);
+    return told.contracts.empty() ? percept::Contract{} : told.contracts.front();
+  };
+  bool is_over = false;
+  for (int cycle = 0; cycle < 3000 && !is_over; ++cycle) {
+    fleet.step(0.1);
+    is_over = task().state == percept::ContractState::kDone;
+  }
+  EXPECT_TRUE(is_over);
+  EXPECT_EQ(task().contractor.value, 3U) << "the nearest";
+  EXPECT_LT(geom::distance(fleet.pose(*fleet.find({3})).position, {90, 0}), 21.0);
+  EXPECT_LT(geom::distance(fleet.pose(*fleet.find({2})).position, {20, 10}), 0.1) << "had no task";
+}
+
 // A configuration that uses a library name in its own place, with this value for all of its parameters.
 text::SourcePtr using_the_name(const cdl_historic::LibraryName& row, const std::string& value) {
   const char* architecture = (row.architectures & cdl_historic::kUrban) != 0   ? "AuRA.urban"
@@ -180,7 +269,7 @@ TEST(Import, EveryLibraryNameIsInTheLibraryWithItsParameters) {
     ASSERT_NE(ours, nullptr) << row.historic << " should be " << row.ours;
     EXPECT_EQ(ours->result, row.type) << row.historic;
     for (const cdl_historic::LibraryPort& port : row.ports) {
-      if (port.ours.empty()) continue;  // means nothing here
+      if (port.ours.empty() || port.ours == cdl_historic::kOnScreen) continue;  // means nothing here
       EXPECT_NE(ours->find(port.ours), nullptr)
           << row.historic << ": " << row.ours << " has no " << port.ours;
     }

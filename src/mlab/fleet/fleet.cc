@@ -481,6 +481,7 @@ void Fleet::add_told(const FleetRobot& robot, const percept::Needs& needs, doubl
   out.notifications = robot.notifications;
   out.shared_places = now_.messages.places();
   out.claims = now_.messages.claims(robot.team);
+  out.contracts = now_.messages.contracts(robot.team);
   if (needs.has(percept::Sensor::kGround)) out.ground = ground_of(robot).view();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,6 +77,13 @@ struct FleetRobot {
 
   static constexpr std::uint32_t kNoGroup = 0xffffffffU;
 };
+/// What it asked for in the last cycle.
+inline std::span<const percept::Request> requests_of(const FleetRobot& robot) {
+  const std::size_t most = percept::Action::kMaxRequests;
+  const std::size_t asked = robot.action.request_count;
+  return {robot.action.requests.data(), asked < most ? asked : most};
+}
+
 /// What is wrong with a robot that stands because of it, apart from details.
 enum class Fault : std::uint8_t { kNone, kBody, kNoNumber, kProgram };
 Fault fault_of(const FleetRobot& robot);

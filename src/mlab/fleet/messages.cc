@@ -25,11 +25,6 @@ void take(std::vector<std::uint64_t>& inbox, std::uint64_t notification) {
   if (at != inbox.end() && *at == notification) inbox.erase(at);
 }
 
-std::span<const Request> requests_of(const FleetRobot& robot) {
-  const std::size_t count = std::min<std::size_t>(robot.action.request_count, percept::Action::kMaxRequests);
-  return {robot.action.requests.data(), count};
-}
-
 }  // namespace
 
 std::span<const Claim> Messages::claims(std::uint32_t team) const {
@@ -44,6 +39,7 @@ void Messages::resolve(std::vector<FleetRobot>& robots, double time) {
   for (FleetRobot& robot : robots) read(robot, time);
   deliver(robots);
   settle_claims();
+  contracts_.resolve(robots, time);
 }
 
 void Messages::read(FleetRobot& robot, double time) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mlab/fleet/contracts.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
 
@@ -13,7 +14,8 @@ namespace mlab::fleet {
 
 struct FleetRobot;
 
-/// What the robots of a run tell each other without anybody's help: notifications, places, claims.
+/// What the robots of a run tell each other without anybody's help: notifications, places, claims,
+/// contracts.
 ///
 /// Whatever robots ask for in a cycle is resolved together after it, in the order of their ids, so all of
 /// them see the same in the next one, however many threads ran them.
@@ -22,6 +24,7 @@ struct FleetRobot;
 /// - A robot's last shared place is seen by everybody until it shares another one.
 /// - A claim holds for one cycle and has to be asked for in every one. Who held it keeps it; of those that
 ///   want it anew, the one with the least cost gets it, and of equals the one with the lowest id.
+/// - Tasks are announced to a team, bid for and awarded: see `Contracts`.
 class Messages {
  public:
   /// Resolves the requests in the robots' actions of this cycle.
@@ -34,9 +37,13 @@ class Messages {
   /// Of that team, by object, ascending.
   std::span<const percept::Claim> claims(std::uint32_t team) const;
 
+  /// Of that team, by task, then object, ascending.
+  std::span<const percept::Contract> contracts(std::uint32_t team) const { return contracts_.of(team); }
+
   /// That they take up beside this.
   std::size_t bytes() const {
-    return places_.size() * sizeof places_[0] + claims_.size() * (sizeof claims_[0] + sizeof claim_teams_[0]);
+    return places_.size() * sizeof places_[0] +
+           claims_.size() * (sizeof claims_[0] + sizeof claim_teams_[0]) + contracts_.bytes();
   }
 
  private:
@@ -63,6 +70,7 @@ class Messages {
   std::vector<percept::SharedPlace> places_;
   std::vector<percept::Claim> claims_;      // by team, then object
   std::vector<std::uint32_t> claim_teams_;  // of claims_
+  Contracts contracts_;
 };
 
 }  // namespace mlab::fleet

@@ -33,17 +33,29 @@ struct Request {
     kLocalize,          ///< place, heading: where this robot says that it is
     kHalt,              ///< ends this robot's program
     kEndMission,        ///< ends the mission for all
+    kAnnounceTask,      ///< notification, object, place, wait, patience: offers a task to this robot's team
+    kBid,               ///< notification, object, cost: for a task on offer, in this cycle
+    kKeepTasks,         ///< this robot still works on what it was awarded
+    kStartTask,         ///< notification, object: this robot begins with what it was awarded
+    kFinishTask,        ///< the same: it is done
+    kRenegeTask,        ///< the same: it gives it back
   };
   Kind kind = Kind::kPickUp;
   Audience audience = Audience::kAll;
   ObjectClass object_class = ObjectClass::kUnknown;
-  base::ObjectId object;           ///< what is picked up or claimed, the basket, or what stands at `place`
+  base::ObjectId object;           ///< what is picked up or claimed, the basket, what stands at `place`; of a
+                                   ///< task: what it is about, or its number
   double reach = 0.0;              ///< farthest edge distance at which it may be taken [m]
-  double cost = 0.0;               ///< of several that claim the same object, the one with the least gets it
-  std::uint64_t notification = 0;  ///< base::hash_text of the name that others wait for
+  double cost = 0.0;               ///< of several that want the same, the one with the least gets it
+  std::uint64_t notification = 0;  ///< base::hash_text of the name that others wait for, or of a task's name
   geom::Point place{};             ///< [m, world]
   double heading = 0.0;            ///< [rad, world]
+  double wait = 0.0;               ///< how long bids are waited for, before the task is awarded [s]
+  double patience = 0.0;  ///< after such a silence of who was awarded it the task is on offer again [s]
 };
+
+/// The last one, for who checks numbers from outside.
+inline constexpr Request::Kind kLastRequest = Request::Kind::kRenegeTask;
 
 /// How far a robot is with its order.
 struct OrderStatus {

@@ -78,6 +78,31 @@ struct Claim {
   base::RobotId robot;
 };
 
+/// How far a task is that robots of a team contract for.
+enum class ContractState : std::uint8_t {
+  kOpen,     ///< bids are wanted
+  kAwarded,  ///< somebody has it
+  kStarted,  ///< and works on it
+  kDone,     ///< he has told that it is done
+  kFailed,   ///< nobody wanted it
+};
+
+/// The last one, for who checks numbers from outside.
+inline constexpr ContractState kLastContractState = ContractState::kFailed;
+
+/// A task of the own team: who announced it, and who carries it out.
+/// @source  Smith 1980, "The Contract Net Protocol", IEEE Transactions on Computers C-29(12)
+struct Contract {
+  std::uint64_t task = 0;  ///< base::hash_text of its name
+  base::ObjectId object;   ///< what it is about, or its number among those of the same name
+  geom::Point place{};     ///< [m, world]
+  ContractState state = ContractState::kOpen;
+  base::RobotId manager;     ///< who announced it
+  base::RobotId contractor;  ///< who has it, or had it when it was done; 0: nobody
+  base::RobotId reneged;     ///< who gave it back last, and may not bid for it; 0: nobody
+  double time = 0.0;         ///< when it was announced or, since then, awarded or given back [s]
+};
+
 /// Where the camera looks, and how much it sees.
 struct Camera {
   double pan = 0.0;                               ///< of its axis, counter-clockwise from ahead [rad]
@@ -176,6 +201,8 @@ struct Percepts {
   std::span<const SharedPlace> shared_places;
   /// The claims that hold in this robot's team, by object, ascending. At most one for each object.
   std::span<const Claim> claims;
+  /// The tasks that this robot's team contracts for, by task, then object, ascending.
+  std::span<const Contract> contracts;
   KnownGround ground;  ///< where it is wanted
 };
 

@@ -22,6 +22,7 @@
 #include "mlab/percept/percepts.h"
 #include "mlab/schema/camera.h"
 #include "mlab/schema/constants.h"
+#include "mlab/schema/contracts.h"
 #include "mlab/schema/drive.h"
 #include "mlab/schema/field.h"
 #include "mlab/schema/formation_offset.h"
@@ -89,6 +90,8 @@ using base::hash_text;
 using base::Random;
 using percept::Action;
 using percept::Audience;
+using percept::Contract;
+using percept::ContractState;
 using percept::Percepts;
 using percept::Request;
 using percept::SharedPlace;

@@ -66,6 +66,17 @@ constexpr percept::Request claim(base::ObjectId object, double cost) {
   return out;
 }
 
+/// The request to offer a task at a place [m, world] to this robot's team.
+/// @param object  what it is about, or its number
+constexpr percept::Request announcement(std::uint64_t task, base::ObjectId object, geom::Point place) {
+  percept::Request out;
+  out.kind = percept::Request::Kind::kAnnounceTask;
+  out.notification = task;
+  out.object = object;
+  out.place = place;
+  return out;
+}
+
 /// The request to take an object for one of another class from now on.
 constexpr percept::Request mark_object(base::ObjectId object, percept::ObjectClass as, double reach) {
   percept::Request out = request(percept::Request::Kind::kMarkObject, object, reach);

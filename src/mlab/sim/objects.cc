@@ -59,6 +59,12 @@ void Objects::carry_out(const percept::Action& action, Bodies& bodies, std::uint
       case Request::Kind::kTakeNotification:
       case Request::Kind::kSharePlace:
       case Request::Kind::kClaim:
+      case Request::Kind::kAnnounceTask:
+      case Request::Kind::kBid:
+      case Request::Kind::kKeepTasks:
+      case Request::Kind::kStartTask:
+      case Request::Kind::kFinishTask:
+      case Request::Kind::kRenegeTask:
         break;  // none of the objects' business
     }
   }

@@ -131,6 +131,10 @@ void add_robot(const run::MissionRun& run, const fleet::FleetRobot& robot, Sum& 
     out << std::uint64_t{place.from.value} << place.place.x << place.place.y << place.time;
   for (const percept::Claim& claim : told.claims)
     out << std::uint64_t{claim.robot.value} << std::uint64_t{claim.object.value};
+  for (const percept::Contract& contract : told.contracts)
+    out << contract.task << std::uint64_t{contract.object.value} << contract.place.x << contract.place.y
+        << static_cast<std::uint64_t>(contract.state) << std::uint64_t{contract.manager.value}
+        << std::uint64_t{contract.contractor.value} << std::uint64_t{contract.reneged.value} << contract.time;
 }
 
 void add_program(const fleet::FleetRobot& robot, Sum& out) {

@@ -199,6 +199,8 @@ std::optional<bool> truth(std::string_view text) {
   if (word == "true" || word == "ye" || word == "on" || word == "1") return true;  // `yes` without its s
   if (word == "enterunmarkedonly" || word == "detectunmarkedonly") return true;
   if (word.starts_with("enter") || word.starts_with("detect")) return false;  // marked doors as well
+  if (word == "checkwoncnptask") return true;
+  if (word == "checkspecificcnptask") return false;
   if (word == "false" || word == "no" || word == "off" || word == "0") return false;
   return std::nullopt;
 }
@@ -214,6 +216,9 @@ std::optional<double> whole(std::string_view text) {
       {"facing", 3},  {"opposite", 4}, {"danger", 'd'}, {"safe", 's'},
       {"abort", 'a'}, {"true", 1},     {"false", 0}};
   if (text.size() == 3 && text.front() == '\'' && text.back() == '\'') return static_cast<double>(text[1]);
+  // A number in quotes was a text that a node turned into a number.
+  if (const std::optional<std::string> quoted = unquoted(text); quoted && !unquoted(*quoted))
+    return whole(*quoted);
   const std::string word = folded(text);
   for (const NamedNumber& named : kNumbers) {
     if (named.word == word) return named.value;

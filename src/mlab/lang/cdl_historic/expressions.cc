@@ -128,7 +128,7 @@ TypedDraft Converter::call_library(const Signature& ours, const LibraryName& row
     std::optional<BoundValue> found;
     if (!listed.historic.empty()) found = look_up(outer, listed.historic, true);
     if (port == nullptr || std::ranges::any_of(arguments, is_same)) {
-      if (found && port == nullptr) {
+      if (found && port == nullptr && listed.ours != kOnScreen) {
         warn_once("lost-parameter", fmt::format("{} {}", row.historic, listed.historic), place,
                   fmt::format("`{}` takes no `{}`; it is left out", ours.name, listed.historic));
       }

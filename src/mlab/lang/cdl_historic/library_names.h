@@ -11,6 +11,10 @@ inline constexpr unsigned kAnyArchitecture = 15;
 /// Bit of an architecture's name (`AuRA.urban`); 0 where there is none of that name.
 unsigned architecture_named(std::string_view name);
 
+/// In the place of a parameter of ours: the historic one changed what a screen showed, so nothing is lost
+/// with it, and nothing is said of it.
+inline constexpr std::string_view kOnScreen = "-";
+
 /// A pushed-up parameter of a historic library assemblage, which parameter of ours it is, and its default.
 struct LibraryPort {
   std::string_view historic;  ///< without `%`; empty: it was fixed

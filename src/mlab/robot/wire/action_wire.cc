@@ -5,7 +5,7 @@
 namespace mlab::robot_wire {
 namespace {
 
-constexpr auto kLastKind = percept::Request::Kind::kEndMission;
+constexpr auto kLastKind = percept::kLastRequest;
 constexpr auto kLastAudience = percept::Audience::kSelf;
 
 }  // namespace
@@ -29,8 +29,8 @@ void encode(const percept::Action& action, wire::Action& out) {
   out.mutable_status()->set_done(done);
   out.mutable_status()->set_remaining(remaining);
   for (std::uint8_t i = 0; i < request_count; ++i) {
-    const auto& [kind, audience, object_class, object, reach, cost, notification, place, heading] =
-        requests[i];
+    const auto& [kind, audience, object_class, object, reach, cost, notification, place, heading, wait,
+                 patience] = requests[i];
     wire::Request& request = *out.add_requests();
     request.set_kind(static_cast<wire::Request::Kind>(kind));
     request.set_object(object.value);
@@ -42,6 +42,8 @@ void encode(const percept::Action& action, wire::Action& out) {
     request.set_x(place.x);
     request.set_y(place.y);
     request.set_heading(heading);
+    request.set_wait(wait);
+    request.set_patience(patience);
   }
 }
 
@@ -66,7 +68,9 @@ std::optional<std::string> decode(const wire::Action& message, percept::Action& 
                 request.cost(),
                 request.notification(),
                 {request.x(), request.y()},
-                request.heading()});
+                request.heading(),
+                request.wait(),
+                request.patience()});
   }
   action.velocity = {message.velocity_x(), message.velocity_y(), message.velocity_z()};
   action.spin = message.spin();

@@ -109,6 +109,20 @@ void encode(std::span<const percept::Claim> claims, wire::Claims& out) {
   }
 }
 
+void encode(std::span<const percept::Contract> contracts, wire::Contracts& out) {
+  for (const auto& [task, object, place, state, manager, contractor, reneged, time] : contracts) {
+    out.add_task(task);
+    out.add_object(object.value);
+    out.add_x(place.x);
+    out.add_y(place.y);
+    out.add_state(static_cast<wire::Contracts::State>(state));
+    out.add_manager(manager.value);
+    out.add_contractor(contractor.value);
+    out.add_reneged(reneged.value);
+    out.add_time(time);
+  }
+}
+
 void add(geom::Point point, wire::Points& out) {
   out.add_x(point.x);
   out.add_y(point.y);
@@ -250,7 +264,7 @@ percept::Needs needs_of(const wire::Needs& message) {
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, touch,
                map, carried, carried_class, order, unit, joystick, notifications, shared_places, claims,
-               ground] = percepts;
+               contracts, ground] = percepts;
   out.Clear();
   out.set_id(id.value);
   encode(pose, *out.mutable_pose());
@@ -274,6 +288,7 @@ void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   encode(camera, *out.mutable_camera());
   if (!shared_places.empty()) encode(shared_places, *out.mutable_shared_places());
   if (!claims.empty()) encode(claims, *out.mutable_claims());
+  if (!contracts.empty()) encode(contracts, *out.mutable_contracts());
   if (is_told(ground)) encode(ground, *out.mutable_ground());
 }
 
@@ -354,6 +369,24 @@ std::optional<std::string> DecodedPercepts::decode_messages(const wire::Percepts
     return "the columns of the claims are not equally long";
   claims_.clear();
   for (int i = 0; i < claims.object_size(); ++i) claims_.push_back({{claims.object(i)}, {claims.robot(i)}});
+  const wire::Contracts& contracts = message.contracts();
+  if (!are(contracts.task_size(), contracts.object_size(), contracts.x_size(), contracts.y_size(),
+           contracts.state_size(), contracts.manager_size(), contracts.contractor_size(),
+           contracts.reneged_size(), contracts.time_size()))
+    return "the columns of the contracts are not equally long";
+  contracts_.clear();
+  for (int i = 0; i < contracts.task_size(); ++i) {
+    if (!fits(contracts.state(i), percept::kLastContractState))
+      return "a contract is in a state that there is not";
+    contracts_.push_back({contracts.task(i),
+                          {contracts.object(i)},
+                          {contracts.x(i), contracts.y(i)},
+                          static_cast<percept::ContractState>(contracts.state(i)),
+                          {contracts.manager(i)},
+                          {contracts.contractor(i)},
+                          {contracts.reneged(i)},
+                          contracts.time(i)});
+  }
   return std::nullopt;
 }
 
@@ -462,6 +495,7 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
   percepts_.camera = {message.camera().pan(), message.camera().field_of_view()};
   percepts_.shared_places = shared_places_;
   percepts_.claims = claims_;
+  percepts_.contracts = contracts_;
   return std::nullopt;
 }
 

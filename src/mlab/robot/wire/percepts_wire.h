@@ -51,6 +51,7 @@ class DecodedPercepts {
   std::vector<std::uint64_t> notifications_;
   std::vector<percept::SharedPlace> shared_places_;
   std::vector<percept::Claim> claims_;
+  std::vector<percept::Contract> contracts_;
   std::vector<percept::Door> doors_;
   std::vector<std::vector<geom::Point>> outlines_;
   std::vector<percept::Room> rooms_;

@@ -94,6 +94,8 @@ TEST(PerceptsWire, RefusesColumnsOfDifferentLengths) {
             "the columns of the ground are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_claims()->add_robot(1); }),
             "the columns of the claims are not equally long");
+  EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_contracts()->add_task(1); }),
+            "the columns of the contracts are not equally long");
 }
 
 TEST(PerceptsWire, RefusesNumbersThatStandForNothing) {
@@ -113,6 +115,18 @@ TEST(PerceptsWire, RefusesNumbersThatStandForNothing) {
   places.add_y(0.0);
   places.add_time(0.0);
   EXPECT_EQ(decoded.decode(message), "a shared place is of a class that there is not");
+  message.Clear();
+  wire::Contracts& contracts = *message.mutable_contracts();
+  contracts.add_task(1);
+  contracts.add_object(0);
+  contracts.add_x(0.0);
+  contracts.add_y(0.0);
+  contracts.add_state(static_cast<wire::Contracts::State>(5));
+  contracts.add_manager(1);
+  contracts.add_contractor(0);
+  contracts.add_reneged(0);
+  contracts.add_time(0.0);
+  EXPECT_EQ(decoded.decode(message), "a contract is in a state that there is not");
   message.Clear();
   message.mutable_unit()->set_rank(std::numeric_limits<std::uint16_t>::max() + 1U);
   EXPECT_EQ(decoded.decode(message), "the unit is larger than units are");

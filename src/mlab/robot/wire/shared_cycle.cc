@@ -86,7 +86,7 @@ bool is_at_most(std::byte byte, auto last) {
 
 bool is_request_sound(const std::byte* request) {
   using percept::Request;
-  return is_at_most(request[offsetof(Request, kind)], Request::Kind::kEndMission) &&
+  return is_at_most(request[offsetof(Request, kind)], percept::kLastRequest) &&
          is_at_most(request[offsetof(Request, audience)], percept::Audience::kSelf) &&
          is_at_most(request[offsetof(Request, object_class)], percept::kLastObjectClass);
 }
@@ -97,8 +97,8 @@ std::uint64_t shared_layout() {
   std::uint64_t key = flow::module_layout();
   for (const std::uint64_t part :
        {sizeof(Control), sizeof(PlaceHeader), sizeof(Head), sizeof(percept::Door), sizeof(percept::Hallway),
-        sizeof(percept::SharedPlace), sizeof(percept::Claim), sizeof(percept::Request),
-        sizeof(flow::Interventions)})
+        sizeof(percept::SharedPlace), sizeof(percept::Claim), sizeof(percept::Contract),
+        sizeof(percept::Request), sizeof(flow::Interventions)})
     key = base::combine_bits(key, part);
   return key;
 }

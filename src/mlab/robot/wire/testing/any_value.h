@@ -95,7 +95,7 @@ inline percept::Action any_action() {
   action.looks = any_bool();
   action.status = {any_id(), any_bool(), any_double()};
   for (int n = *rc::gen::inRange(0, percept::Action::kMaxRequests + 1); n > 0; --n) {
-    action.ask({any_of(percept::Request::Kind::kEndMission),
+    action.ask({any_of(percept::kLastRequest),
                 any_of(percept::Audience::kSelf),
                 any_of(percept::ObjectClass::kFriendlyRobot),
                 {any_id()},
@@ -103,6 +103,8 @@ inline percept::Action any_action() {
                 any_double(),
                 *rc::gen::arbitrary<std::uint64_t>(),
                 {any_double(), any_double()},
+                any_double(),
+                any_double(),
                 any_double()});
   }
   for (int n = *rc::gen::inRange(0, 127); n > 0; --n) action.alert[static_cast<std::size_t>(n - 1)] = 'a';
