@@ -6,6 +6,7 @@
 
 #include "mlab/assist/statement_candidates.h"
 #include "mlab/lang/mdl/token.h"
+#include "mlab/mission/maneuver.h"
 #include "mlab/mission/tasks.h"
 #include "mlab/percept/formation_names.h"
 
@@ -401,6 +402,23 @@ class MissionCompleter {
       for (const Option& each : kOptions) {
         if (each.in_steps || part_ != Part::kSteps)
           out_.add(std::string(mdl::spelling(each.word)), "option", each.help);
+      }
+      if (part_ == Part::kPreamble) {
+        for (const mission::ManeuverInfo& each : mission::kManeuvers)
+          out_.add(std::string(each.word), "option", std::string(each.help));
+      }
+      return;
+    }
+    const auto* const maneuver =
+        std::ranges::find_if(mission::kManeuvers, [&](const mission::ManeuverInfo& each) {
+          return mdl::equal_without_case(source_->text(tokens_[first_ + 1].span), each.word);
+        });
+    if (maneuver != mission::kManeuvers.end()) {
+      if (count() == 2 && !maneuver->on.empty()) {
+        out_.add(std::string(maneuver->on), "value", "");
+        out_.add(std::string(maneuver->off), "value", "");
+      } else if (count() == 3) {
+        preamble_words();
       }
       return;
     }

@@ -125,7 +125,9 @@ enum class BooleanOption : std::uint8_t {
   kDebugRobots,
   kDebugSimulator,
   kDebugScheduler,
-  kScaleRobots
+  kScaleRobots,
+  kPlanWays,
+  kAssignStations
 };
 /// What SET gives a number.
 enum class NumberOption : std::uint8_t {
@@ -137,7 +139,8 @@ enum class NumberOption : std::uint8_t {
   kZoomFactor,
   kCycleDuration,
   kFailingRobots,
-  kFailuresWithin
+  kFailuresWithin,
+  kCohesion
 };
 /// `SET option ON`
 struct SetBoolean {
@@ -183,6 +186,11 @@ struct Options {
   bool debug_simulator = false;
   bool debug_scheduler = false;
   bool scale_robots = true;
+  std::optional<bool>
+      plans_ways;  ///< of robots whose types don't say; as their programs have it where not set
+  std::optional<bool>
+      assigns_stations;            ///< else by rank; assigned to robots that plan their ways where not set
+  std::optional<double> cohesion;  ///< so far ahead of its station a robot waits [m]; 0: nobody waits
 };
 
 /// A mission, checked: every name is resolved. Immutable once loaded.

@@ -9,6 +9,7 @@
 #include "mlab/base/counted.h"
 #include "mlab/mission/clock.h"
 #include "mlab/mission/command.h"
+#include "mlab/mission/maneuver.h"
 #include "mlab/mission/tasks.h"
 #include "mlab/mission/turn.h"
 
@@ -38,6 +39,9 @@ std::string_view option_name(BooleanOption option) {
       return "DEBUG-SCHEDULER";
     case BooleanOption::kScaleRobots:
       return "SCALE-ROBOTS";
+    case BooleanOption::kPlanWays:
+    case BooleanOption::kAssignStations:
+      return maneuver(option)->word;
   }
   return "";
 }
@@ -62,6 +66,8 @@ std::string_view option_name(NumberOption option) {
       return "FAILING-ROBOTS";
     case NumberOption::kFailuresWithin:
       return "FAILURES-WITHIN";
+    case NumberOption::kCohesion:
+      return maneuver(option)->word;
   }
   return "";
 }
@@ -94,7 +100,10 @@ struct TextOf {
     return text;
   }
   std::string operator()(const SetBoolean& c) const {
-    return fmt::format("SET {} {}", option_name(c.option), c.value ? "ON" : "OFF");
+    const ManeuverInfo* const named = maneuver(c.option);
+    const std::string_view value =
+        named != nullptr ? (c.value ? named->on : named->off) : (c.value ? "ON" : "OFF");
+    return fmt::format("SET {} {}", option_name(c.option), value);
   }
   std::string operator()(const SetNumber& c) const {
     return fmt::format("SET {} {}", option_name(c.option), c.value);

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/mission/maneuver.h"
 #include "mlab/run/order_check.h"
 #include "mlab/run/places.h"
 #include "mlab/run/vehicle.h"
@@ -75,11 +77,14 @@ class SaidOfMany {
 };
 
 std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& type,
+                                                   std::span<const mission::Preset> presets,
                                                    const robot::ProgramSources& sources, const Crew* before,
                                                    text::Diagnostics& sink) {
   std::vector<robot::Setting> settings;
+  for (const mission::Preset& preset : presets)
+    settings.push_back({std::string(preset.parameter), preset.value, type.place, true});
   for (const mission::RobotParameter& parameter : type.parameters)
-    settings.push_back({parameter.key, parameter.value, parameter.place});
+    settings.push_back({parameter.key, parameter.value, parameter.place, false});
   const robot::RobotProgram* known = known_program(type, before);
   auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink, known,
                                  type.name);
@@ -112,6 +117,7 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
     return std::ranges::any_of(type.parameters, &mission::RobotParameter::is_from_outside);
   };
   SaidOfMany of_many;
+  const std::vector<mission::Preset> presets = mission::presets(plan.options);
   const MissionPlaces places(plan);
   robot::ProgramSources with_places = sources;
   with_places.places = &places;
@@ -124,7 +130,7 @@ std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mi
     text::Diagnostics& said = is_one_of_many ? own : sink;
     std::optional<robot::RobotProgram> program;
     if (is_used[i] || plan.types[i].place.source)
-      program = load_program_of(plan.types[i], with_places, before, said);
+      program = load_program_of(plan.types[i], presets, with_places, before, said);
     crew->bodies.push_back(
         body_of(plan.types[i], program ? program->body : std::map<std::string, double>{}, said));
     crew->programs.push_back(

@@ -155,8 +155,13 @@ void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segmen
   }
 }
 
-// Two or three robots find their places all the same; more push each other off their stations for ever. Only
-// a spacing that was written is the author's doing.
+bool FormationCheck::plans_ways(const mission::RobotType& type) const {
+  const bool is_planned = mission_.options.plans_ways.value_or(true);
+  return type.program == "robot" && number_parameter(type, "plans_ways", is_planned ? 1.0 : 0.0) != 0.0;
+}
+
+// Two or three robots that only react find their places all the same; more push each other off their stations
+// for ever. Only a spacing that was written is the author's doing.
 void FormationCheck::check_room(const mission::UnitCommand& command) {
   const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
   if (command.task != mission::Task::kOccupy || members.size() < 4) return;
@@ -166,7 +171,8 @@ void FormationCheck::check_room(const mission::UnitCommand& command) {
   const bool is_written =
       std::any_of(type.parameters.begin(), type.parameters.end(),
                   [](const auto& parameter) { return parameter.key == "formation_spacing"; });
-  if (!is_written || spacing >= sphere || !crowded_units_.insert(command.unit).second) return;
+  if (!is_written || spacing >= sphere || plans_ways(type) || !crowded_units_.insert(command.unit).second)
+    return;
   diagnostics_
       .warning("formation-tighter-than-robots", command.place,
                fmt::format("{} stand {:.6g} m apart, but push each other away within {:.6g} m",
@@ -177,12 +183,12 @@ void FormationCheck::check_room(const mission::UnitCommand& command) {
                       spacing));
 }
 
-// Standard robots keep their distance also where they meet.
+// Standard robots that only react keep their distance also where they meet.
 void FormationCheck::check_meeting(const mission::UnitCommand& command) {
   const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
   if (members.size() < 2) return;
   const mission::RobotType& type = mission_.types[type_of_robot_.at(members[0].value)];
-  if (type.program != "robot") return;
+  if (type.program != "robot" || plans_ways(type)) return;
   const double sphere = number_parameter(type, "navigation_avoid_robot_sphere", kDefaultRobotSphere);
   const double spheres_across = 2.0 * command.radius / sphere + 1.0;
   if (sphere <= 0.0 || static_cast<double>(members.size()) <= kDensest * spheres_across * spheres_across)
@@ -204,13 +210,15 @@ void FormationCheck::check_gap(const mission::UnitCommand& command, geom::Segmen
   const Extent needed = extent(command, heading - geom::direction(leg.b - leg.a));
   if (needed.height() <= gap.size) return;
   const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
+  const bool pass_in_file = plans_ways(mission_.types[type_of_robot_.at(members[0].value)]);
   auto& warning =
       diagnostics_.warning("formation-wider-than-gap", command.place,
-                           fmt::format("{} are {:.6g} m wide, the gap {} on the way to {} has {:.6g} m",
+                           fmt::format("{} are {:.6g} m wide, the gap {} on the way to {} has {:.6g} m{}",
                                        described(members, command.formation), needed.height(),
-                                       in_backticks(gap.name), in_backticks(command.place_name), gap.size));
+                                       in_backticks(gap.name), in_backticks(command.place_name), gap.size,
+                                       pass_in_file ? ": they pass in file here" : ""));
   warning.notes.push_back({fmt::format("{} declared here", in_backticks(gap.name)), gap.place});
-  if (command.formation != percept::Formation::kColumn)
+  if (command.formation != percept::Formation::kColumn && !pass_in_file)
     warning.hints.emplace_back("a Column is as narrow as one robot");
 }
 

@@ -38,6 +38,8 @@ class FormationCheck {
   Extent extent(const mission::UnitCommand& command, double heading);
   void check_gap(const mission::UnitCommand& command, geom::Segment leg, double heading,
                  const overlay::ControlMeasure& gap);
+  /// Whether the unit's first robot finds its way by itself.
+  bool plans_ways(const mission::RobotType& type) const;
   void check_room(const mission::UnitCommand& command);
   void check_meeting(const mission::UnitCommand& command);
 

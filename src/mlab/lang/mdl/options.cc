@@ -45,6 +45,8 @@ Range range_of(NumberOption option, const mission::Options& options, overlay::Ar
       return {0.0, 65535.0, ""};
     case NumberOption::kFailuresWithin:
       return {0.0, 1e6, " seconds"};
+    case NumberOption::kCohesion:
+      return {0.0, 1e6, " metres"};
   }
   return {};
 }
@@ -68,9 +70,20 @@ bool* flag_of(BooleanOption option, mission::Options& options) {
     case BooleanOption::kDebugScheduler:
       return &options.debug_scheduler;
     case BooleanOption::kScaleRobots:
-      return &options.scale_robots;
+    case BooleanOption::kPlanWays:
+    case BooleanOption::kAssignStations:
+      break;
   }
   return &options.scale_robots;
+}
+
+void apply_flag(mission::SetBoolean set, mission::Options& options) {
+  if (set.option == BooleanOption::kPlanWays)
+    options.plans_ways = set.value;
+  else if (set.option == BooleanOption::kAssignStations)
+    options.assigns_stations = set.value;
+  else
+    *flag_of(set.option, options) = set.value;
 }
 
 void apply_number(mission::SetNumber set, mission::Options& options) {
@@ -101,6 +114,9 @@ void apply_number(mission::SetNumber set, mission::Options& options) {
       break;
     case NumberOption::kFailuresWithin:
       options.failures_within = set.value;
+      break;
+    case NumberOption::kCohesion:
+      options.cohesion = set.value;
       break;
   }
 }
@@ -145,8 +161,7 @@ bool check_lengths(std::initializer_list<const Number*> lengths, std::string_vie
 }
 
 void apply_set(const mission::Command& command, mission::Options& options) {
-  if (const auto* flag = std::get_if<mission::SetBoolean>(&command))
-    *flag_of(flag->option, options) = flag->value;
+  if (const auto* flag = std::get_if<mission::SetBoolean>(&command)) apply_flag(*flag, options);
   if (const auto* number = std::get_if<mission::SetNumber>(&command)) apply_number(*number, options);
 }
 

@@ -10,6 +10,7 @@
 #include "mlab/lang/mdl/parser.h"
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/lang/odl/token.h"
+#include "mlab/mission/maneuver.h"
 
 namespace mlab::mdl {
 namespace {
@@ -22,6 +23,7 @@ struct OptionWord {
   std::variant<BooleanOption, NumberOption> option;
   bool in_steps;
 };
+// Those of kManeuvers stand before the steps only.
 constexpr auto kOptions = std::to_array<OptionWord>({
     {Word::kUseMilitaryStyle, BooleanOption::kUseMilitaryStyle, true},
     {Word::kShowTrails, BooleanOption::kShowTrails, true},
@@ -408,14 +410,46 @@ std::uint32_t Parser::parenthesized_group(statement::UnitDefinition& unit, std::
   return index;
 }
 
+// One whose words are told by where they stand.
+statement::Set Parser::set_maneuver(const mission::ManeuverInfo& maneuver, Section section) {
+  statement::Set out;
+  out.option = maneuver.option;
+  out.option_span = token().span;
+  if (section != Section::kPreamble) {
+    fail("not-in-steps", token().span,
+         fmt::format("{} is set before `COMMAND LIST:`{}", in_backticks(maneuver.word),
+                     section == Section::kStep ? ", not in a step" : ""));
+    return out;
+  }
+  advance();
+  if (maneuver.on.empty()) {
+    out.number = number(fmt::format("a number for {}", maneuver.word));
+    return out;
+  }
+  for (const bool value : {true, false}) {
+    const std::string_view word = value ? maneuver.on : maneuver.off;
+    if (!at(TokenKind::kName) || !equal_without_case(written(token()), word)) continue;
+    out.flag = value;
+    advance();
+    return out;
+  }
+  fail_expected(fmt::format("`{}` or `{}`", maneuver.on, maneuver.off));
+  return out;
+}
+
 statement::Set Parser::set(Section section) {
   statement::Set out;
   if (stuck_) return out;
   const Token t = token();
+  const auto* maneuver = std::ranges::find_if(mission::kManeuvers, [&](const mission::ManeuverInfo& one) {
+    return t.kind == TokenKind::kName && equal_without_case(written(t), one.word);
+  });
+  if (maneuver != mission::kManeuvers.end()) return set_maneuver(*maneuver, section);
   const auto* found = std::ranges::find(kOptions, t.word, &OptionWord::word);
   if (t.kind != TokenKind::kWord || found == kOptions.end()) {
     std::vector<std::string> known;
     for (const OptionWord& option : kOptions) known.emplace_back(spelling(option.word));
+    for (const mission::ManeuverInfo& one : mission::kManeuvers) known.emplace_back(one.word);
     fail_unknown("unknown-option", "an option", known);
     return out;
   }
@@ -455,6 +489,10 @@ std::optional<mission::NumberOption> number_option(std::string_view word) {
   for (const OptionWord& option : kOptions) {
     const auto* number = std::get_if<NumberOption>(&option.option);
     if (number != nullptr && std::ranges::equal(spelling(option.word), word, {}, {}, upper)) return *number;
+  }
+  for (const mission::ManeuverInfo& one : mission::kManeuvers) {
+    const auto* number = std::get_if<NumberOption>(&one.option);
+    if (number != nullptr && std::ranges::equal(one.word, word, {}, {}, upper)) return *number;
   }
   return std::nullopt;
 }

@@ -9,6 +9,7 @@
 
 #include "mlab/lang/mdl/token.h"
 #include "mlab/lang/mdl/tree.h"
+#include "mlab/mission/maneuver.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::mdl {
@@ -100,6 +101,7 @@ class Parser {
   bool at_robot() const;
   Name group_name();
   statement::Set set(Section section);
+  statement::Set set_maneuver(const mission::ManeuverInfo& maneuver, Section section);
   statement::Print print();
   statement::Failsafe failsafe();
   mission::FailsafeCondition failsafe_condition();

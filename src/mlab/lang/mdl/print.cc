@@ -8,6 +8,7 @@
 
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
+#include "mlab/mission/maneuver.h"
 #include "mlab/mission/tasks.h"
 
 namespace mlab::mdl {
@@ -62,6 +63,9 @@ std::string_view text_of(mission::BooleanOption option) {
       return "DEBUG-SIMULATOR";
     case mission::BooleanOption::kDebugScheduler:
       return "DEBUG-SCHEDULER";
+    case mission::BooleanOption::kPlanWays:
+    case mission::BooleanOption::kAssignStations:
+      return mission::maneuver(option)->word;
     default:
       return "SCALE-ROBOTS";
   }
@@ -85,6 +89,8 @@ std::string_view text_of(mission::NumberOption option) {
       return "FAILING-ROBOTS";
     case mission::NumberOption::kFailuresWithin:
       return "FAILURES-WITHIN";
+    case mission::NumberOption::kCohesion:
+      return mission::maneuver(option)->word;
     default:
       return "CYCLE-DURATION";
   }
@@ -193,7 +199,11 @@ struct StatementPrinter {
   std::string operator()(const statement::Set& s) const {
     std::string out =
         fmt::format("SET {}", std::visit([](auto option) { return text_of(option); }, s.option));
-    if (s.flag) out += *s.flag ? " ON" : " OFF";
+    const mission::ManeuverInfo* const named = mission::maneuver(s.option);
+    if (s.flag && named != nullptr)
+      out += fmt::format(" {}", *s.flag ? named->on : named->off);
+    else if (s.flag)
+      out += *s.flag ? " ON" : " OFF";
     if (s.number) out += " " + s.number->text;
     return out;
   }

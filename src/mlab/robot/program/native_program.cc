@@ -56,7 +56,7 @@ void say_results(const NativeProgram& native, std::span<const Setting> asked, co
     const wire::SettingResult& result = native.description.results(static_cast<int>(i));
     if (!result.problem().empty())
       sink.error("bad-parameter", asked[i].place, text::shown(result.problem(), 200));
-    if (!result.is_unknown()) continue;
+    if (!result.is_unknown() || asked[i].is_preset) continue;
     std::vector<std::string> names = known_keys;
     for (const wire::Port& port : native.description.ports()) {
       if (port.role() == wire::Port::PARAMETER) names.push_back(port.path());

@@ -87,6 +87,7 @@ void set_parameters(std::span<const Setting> settings, const std::vector<std::st
     if (std::find(known_keys.begin(), known_keys.end(), parameter.key) != known_keys.end()) continue;
     const flow::Port* port = robot.program->find(parameter.key);
     if (port == nullptr || port->role == flow::Port::Role::kOutput) {
+      if (parameter.is_preset) continue;
       std::vector<std::string> names = parameter_names(*robot.program);
       names.insert(names.end(), known_keys.begin(), known_keys.end());
       text::Diagnostic& d =
