@@ -198,6 +198,8 @@ void Fleet::leave_groups(std::span<const std::uint32_t> members) {
     if (group.members.empty()) {
       group = {};
       now_.free_groups.push_back(left);
+    } else {
+      assign_ranks(group, now_.poses);
     }
     for (std::size_t rank = 0; rank < group.members.size(); ++rank)
       now_.robots[group.members[rank]].rank = static_cast<std::uint32_t>(rank);
@@ -214,13 +216,17 @@ void Fleet::order(const mission::effect::Order& effect) {
   }
   if (group.members.empty()) return;
   const FleetRobot& leader = now_.robots[group.members.front()];
+  std::vector<std::uint32_t> kept;
   // A formation goes on looking where it looked, whichever order it gets next.
   if (leader.group != FleetRobot::kNoGroup) {
     const Group& before = now_.groups[leader.group];
     group.formation_heading = before.formation_heading;
-    if (before.members == group.members) {
+    std::vector<std::uint32_t> ranked = before.members;
+    if (std::ranges::is_permutation(ranked, group.members)) {
       group.center = before.center;
       group.has_center = before.has_center;
+      // What only goes on or halts keeps its stations.
+      if (before.order.sequence == group.order.sequence) kept = std::move(ranked);
     }
   } else {
     group.formation_heading = leader.start.heading;
@@ -229,8 +235,14 @@ void Fleet::order(const mission::effect::Order& effect) {
   group.reference = reference_of(group.order, *leader.program);
   group.slop = leader.program->number("formation_slop").value_or(group.slop);
   group.heading_trigger = leader.program->number("formation_default_trigger").value_or(group.heading_trigger);
+  group.assigns_stations =
+      now_.assigns_stations.value_or(leader.program->number("plans_ways").value_or(1.0) != 0.0);
 
   leave_groups(group.members);
+  if (!kept.empty())
+    group.members = std::move(kept);
+  else if (group.order.task != percept::Task::kStart)
+    assign_ranks(group, now_.poses);
   auto slot = static_cast<std::uint32_t>(now_.groups.size());
   if (!now_.free_groups.empty()) {
     slot = now_.free_groups.back();
@@ -434,38 +446,6 @@ percept::Percepts Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& 
   return out;
 }
 
-const TeamGround& Fleet::ground_of(const FleetRobot& robot) const {
-  const auto own = now_.grounds.find(robot.team);
-  return own == now_.grounds.end() ? *now_.map : *own->second;
-}
-
-void Fleet::note_found(std::uint32_t robot, const percept::Percepts& percepts, Worker& worker) const {
-  const TeamGround& ground = ground_of(now_.robots[robot]);
-  for (const percept::Obstacle& one : percepts.obstacles) {
-    if (one.is_moving()) continue;  // it will be elsewhere
-    const geom::Point place = percepts.pose.point_at(one.center);
-    if (!ground.knows(place)) worker.found.push_back({robot, {place, one.radius}});
-  }
-}
-
-void Fleet::add_found() {
-  std::vector<std::pair<std::uint32_t, ways::Round>> all;
-  for (Worker& worker : workers_) {
-    all.insert(all.end(), worker.found.begin(), worker.found.end());
-    worker.found.clear();
-  }
-  if (all.empty()) return;
-  // Those of a robot are together and in order, whichever thread found them.
-  std::ranges::stable_sort(all, {}, [](const auto& found) { return found.first; });
-  std::map<std::uint32_t, std::vector<ways::Round>> by_team;
-  for (const auto& [robot, thing] : all) by_team[now_.robots[robot].team].push_back(thing);
-  for (const auto& [team, things] : by_team) {
-    const auto own = now_.grounds.find(team);
-    const TeamGround& before = own == now_.grounds.end() ? *now_.map : *own->second;
-    if (auto after = before.with(things)) now_.grounds[team] = std::move(after);
-  }
-}
-
 void Fleet::add_told(const FleetRobot& robot, const percept::Needs& needs, double dt,
                      percept::Percepts& out) const {
   out.cycle_duration = dt;
@@ -513,7 +493,9 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
     if (robot.failsafes != 0) note_seen(worker.robots[i], worker.percepts[i]);
     add_told(robot, worker.needs[i], dt, worker.percepts[i]);
     if (worker.needs[i].has(percept::Sensor::kGround))
-      note_found(worker.robots[i], worker.percepts[i], worker);
+      note_found(worker.robots[i], worker.percepts[i],
+                 robot.body_spec.has_ring_obstacles ? 0.0 : worker.needs[i][percept::Sensor::kObstacles],
+                 worker);
     worker.turns[i] = {robot.member, &worker.percepts[i], &robot.action, &robot.fault, &robot.failure};
   }
   for (std::size_t first = 0, last = 0; first < count; first = last) {

@@ -174,7 +174,8 @@ class Fleet {
     std::array<percept::Percepts, kRobotsAtOnce> percepts;
     std::array<robot::ProgramRunner::Turn, kRobotsAtOnce> turns;
     std::array<binding::Sensing, kRobotsAtOnce> senses;
-    std::vector<std::pair<std::uint32_t, ways::Round>> found;  // on the ground, and new; by robot's index
+    std::vector<std::pair<std::uint32_t, ways::Round>> found;   // on the ground, and new; by robot's index
+    std::vector<std::pair<std::uint32_t, geom::Point>> missed;  // what is known and no longer there, likewise
   };
   /// One whose program runs now. @errors  a sentence
   std::expected<FleetRobot*, std::string> running(base::RobotId id);
@@ -209,8 +210,9 @@ class Fleet {
   void add_told(const FleetRobot& robot, const percept::Needs& needs, double dt,
                 percept::Percepts& out) const;
   const TeamGround& ground_of(const FleetRobot& robot) const;
-  void note_found(std::uint32_t robot, const percept::Percepts& percepts, Worker& worker) const;
-  /// Teams remember what their robots found.
+  /// @param reach  how far it sees everything [m]; 0: it may overlook things
+  void note_found(std::uint32_t robot, const percept::Percepts& percepts, double reach, Worker& worker) const;
+  /// Teams remember what their robots found, and forget what they missed.
   void add_found();
   void run_programs(double dt);
   void run_piece(std::size_t begin, std::size_t end, double dt, int worker);

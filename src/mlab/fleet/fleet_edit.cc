@@ -113,6 +113,7 @@ void Fleet::adopt(const mission::Mission& mission) {
   form_teams(mission);
   exchange_failsafes(mission);
   exchange_ground(mission);
+  now_.assigns_stations = mission.options.assigns_stations;
 }
 
 // On another map nobody knows what was sensed on the one before.

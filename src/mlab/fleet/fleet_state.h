@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mlab/base/id.h"
@@ -34,6 +35,7 @@ struct FleetState {
   std::shared_ptr<const Failsafes> failsafes = std::make_shared<const Failsafes>();
   std::vector<SeenByFailsafes> seen;      ///< by index of `robots`, where there are failsafes
   overlay::Area area;                     ///< of the mission
+  std::optional<bool> assigns_stations;   ///< as the mission sets it
   std::shared_ptr<const TeamGround> map;  ///< what teams know of the ground that have sensed nothing besides
   std::map<std::uint32_t, std::shared_ptr<const TeamGround>> grounds;  ///< by team: what the others know
   std::vector<Group> groups;                                           ///< slots are used again

@@ -15,16 +15,17 @@ namespace mlab::fleet {
 struct Group {
   percept::Order order;
   std::shared_ptr<const mission::UnitCommand> command;  ///< keeps the route alive
-  std::vector<std::uint32_t> members;                   ///< indices of robots in the fleet, in rank order
-  geom::Point center;                                   ///< [m, world]
-  geom::Offset center_step;                             ///< in the last cycle [m]
-  double formation_heading = 0.0;                       ///< [rad, world]
-  double spacing = 50.0;                                ///< between neighbours [m]
-  double slop = 10.0;                                   ///< station error that counts as out of formation [m]
-  double heading_trigger = 100.0;  ///< nearer to the goal the formation no longer turns [m]
+  std::vector<std::uint32_t> members;  ///< indices of robots in the fleet, in the order of their stations
+  geom::Point center;                  ///< [m, world]
+  geom::Offset center_step;            ///< in the last cycle [m]
+  double formation_heading = 0.0;      ///< [rad, world]
+  double spacing = 50.0;               ///< between neighbours [m]
+  double slop = 10.0;                  ///< station error that counts as out of formation [m]
+  double heading_trigger = 100.0;      ///< nearer to the goal the formation no longer turns [m]
   percept::FormationReference reference =
       percept::FormationReference::kUnitCenter;  ///< what its members measure their stations from
   bool has_center = false;
+  bool assigns_stations = false;  ///< members take the stations that need the least way
 };
 
 /// Updates centre, its step and the formation heading from where the members are.

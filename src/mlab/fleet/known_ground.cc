@@ -83,4 +83,32 @@ std::shared_ptr<const TeamGround> TeamGround::with(std::span<const ways::Round> 
   return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, mapped_));
 }
 
+std::vector<geom::Point> TeamGround::missed(const geom::Pose& pose, double reach,
+                                            std::span<const percept::Obstacle> seen) const {
+  constexpr double kSmallest = 0.25;  // [m]
+  constexpr double kWithin = 1.0;     // so much nearer than its sensors reach [m]
+  std::vector<geom::Point> out;
+  for (const auto& [center, radius] : ground_.discs) {
+    if (radius < kSmallest || distance(pose.position, center) - radius > reach - kWithin) continue;
+    const geom::Vector there = pose.to_robot(center);
+    if (std::ranges::none_of(
+            seen, [&](const percept::Obstacle& one) { return length(one.center - there) <= kSame; }))
+      out.push_back(center);
+  }
+  return out;
+}
+
+std::shared_ptr<const TeamGround> TeamGround::without(std::span<const geom::Point> gone) const {
+  ways::Ground ground;
+  std::size_t mapped = 0;
+  for (std::size_t i = 0; i < ground_.discs.size(); ++i) {
+    if (std::ranges::find(gone, ground_.discs[i].center) != gone.end()) continue;
+    ground.discs.push_back(ground_.discs[i]);
+    mapped += i < mapped_ ? 1 : 0;
+  }
+  if (ground.discs.size() == ground_.discs.size()) return nullptr;
+  ground.walls = ground_.walls;
+  return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, mapped));
+}
+
 }  // namespace mlab::fleet

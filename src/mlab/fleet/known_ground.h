@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "mlab/overlay/overlay.h"
 #include "mlab/percept/percepts.h"
@@ -13,9 +14,8 @@
 
 namespace mlab::fleet {
 
-/// What a team knows to stand on the ground: what the map says, and what its robots have sensed besides.
-/// Nothing that moves is in it.
-/// Never changed, so checkpoints share it.
+/// What a team knows to stand on the ground: what the map says, and what its robots have sensed besides;
+/// without what they saw to be gone. Nothing that moves is in it. Never changed, so checkpoints share it.
 class TeamGround {
  public:
   /// So many sensed things are remembered, at most.
@@ -29,6 +29,13 @@ class TeamGround {
   bool knows(geom::Point place) const;
   /// With what was sensed besides; nothing: all of it is known, or there is no room for more.
   std::shared_ptr<const TeamGround> with(std::span<const ways::Round> sensed) const;
+  /// The middles of round things that are known, but not among what a robot sees that would see them [m,
+  /// world]. What is as small as a place of a wall is never missed.
+  /// @param reach  how far it sees everything [m]
+  std::vector<geom::Point> missed(const geom::Pose& pose, double reach,
+                                  std::span<const percept::Obstacle> seen) const;
+  /// Without those whose middles are there, whoever knew of them; nothing: it knows none of them.
+  std::shared_ptr<const TeamGround> without(std::span<const geom::Point> gone) const;
 
  private:
   /// @param mapped  of the discs; nothing: all of them

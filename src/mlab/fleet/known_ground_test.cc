@@ -51,6 +51,27 @@ TEST(TeamGround, RemembersWhatWasSensedOnce) {
   EXPECT_EQ(before.view().discs.size(), 1U);
 }
 
+TEST(TeamGround, ForgetsWhatIsSeenToBeGone) {
+  const TeamGround map(with_one_disc());
+  const std::vector<ways::Round> sensed = {{{70.0, 50.0}, 2.0}, {{72.0, 60.0}, 0.05}};
+  const auto before = map.with(sensed);
+  const geom::Pose here{{60.0, 50.0}, 0.5};
+  const std::vector<percept::Obstacle> all = {{here.to_robot(geom::Point{50.0, 50.0}), 4.0, {}},
+                                              {here.to_robot(geom::Point{70.0, 50.1}), 2.0, {}}};
+  EXPECT_TRUE(before->missed(here, 30.0, all).empty());
+  EXPECT_TRUE(before->missed(here, 5.0, {}).empty()) << "farther than it sees";
+  EXPECT_EQ(before->missed(here, 30.0, std::span(all).first(1)), (std::vector<geom::Point>{{70.0, 50.0}}));
+  const std::vector<geom::Point> both = before->missed(here, 30.0, {});
+  ASSERT_EQ(both.size(), 2U) << "not what is as small as a place of a wall";
+  const auto after = before->without(both);
+  ASSERT_NE(after, nullptr);
+  EXPECT_FALSE(after->knows({50.0, 50.0})) << "of the map, too";
+  EXPECT_FALSE(after->knows({70.0, 50.0}));
+  EXPECT_EQ(after->without(both), nullptr);
+  EXPECT_EQ(before->without(std::span(both).last(1))->without(std::span(both).first(1))->view().revision,
+            after->view().revision);
+}
+
 TEST(TeamGround, HasRoomForSoManyAndNoMore) {
   std::vector<ways::Round> sensed;
   for (int i = 0; i < 5'000; ++i) sensed.push_back({{2.0 * i, -10.0}, 0.1});

@@ -1,0 +1,58 @@
+// What teams know of the ground: what their robots find and miss on it.
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "mlab/fleet/fleet.h"
+
+namespace mlab::fleet {
+
+const TeamGround& Fleet::ground_of(const FleetRobot& robot) const {
+  const auto own = now_.grounds.find(robot.team);
+  return own == now_.grounds.end() ? *now_.map : *own->second;
+}
+
+void Fleet::note_found(std::uint32_t robot, const percept::Percepts& percepts, double reach,
+                       Worker& worker) const {
+  const TeamGround& ground = ground_of(now_.robots[robot]);
+  for (const percept::Obstacle& one : percepts.obstacles) {
+    if (one.is_moving()) continue;  // it will be elsewhere
+    const geom::Point place = percepts.pose.point_at(one.center);
+    if (!ground.knows(place)) worker.found.push_back({robot, {place, one.radius}});
+  }
+  // Once a second or so, not all robots at once.
+  constexpr std::int64_t kEvery = 10;
+  const auto cycle = static_cast<std::int64_t>(percepts.time / percepts.cycle_duration);
+  if ((cycle + robot) % kEvery != 0) return;
+  for (const geom::Point place : ground.missed(percepts.pose, reach, percepts.obstacles))
+    worker.missed.emplace_back(robot, place);
+}
+
+void Fleet::add_found() {
+  // Those of a robot are together and in order, whichever thread found them.
+  const auto by_team = [&]<class Thing>(std::vector<std::pair<std::uint32_t, Thing>> Worker::* list) {
+    std::vector<std::pair<std::uint32_t, Thing>> all;
+    for (Worker& worker : workers_) {
+      all.insert(all.end(), (worker.*list).begin(), (worker.*list).end());
+      (worker.*list).clear();
+    }
+    std::ranges::stable_sort(all, {}, [](const auto& found) { return found.first; });
+    std::map<std::uint32_t, std::vector<Thing>> out;
+    for (const auto& [robot, thing] : all) out[now_.robots[robot].team].push_back(thing);
+    return out;
+  };
+  const auto change = [&](std::uint32_t team, const auto& changed) {
+    const auto own = now_.grounds.find(team);
+    if (auto after = changed(own == now_.grounds.end() ? *now_.map : *own->second))
+      now_.grounds[team] = std::move(after);
+  };
+  for (const auto& [team, places] : by_team(&Worker::missed))
+    change(team, [&](const TeamGround& before) { return before.without(places); });
+  for (const auto& [team, things] : by_team(&Worker::found))
+    change(team, [&](const TeamGround& before) { return before.with(things); });
+}
+
+}  // namespace mlab::fleet
