@@ -1,8 +1,11 @@
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "../testing/library_probe.h"
+#include "mlab/schema/way.h"
 
 namespace mlab::library_test {
 namespace {
@@ -158,6 +161,63 @@ TEST_F(Way, PaceBringsARobotToItsStation) {
   EXPECT_LT(pace(100.0, 112.0, 10.0), 1.0);
   EXPECT_DOUBLE_EQ(pace(0.0, 500.0, 0.0), 0.7);
   EXPECT_DOUBLE_EQ(pace(500.0, 0.0, 0.0), 1.5);
+  p.set("cohesion", 40.0);
+  EXPECT_DOUBLE_EQ(pace(0.0, 20.0, 0.0), 0.5) << "who is ahead waits";
+  EXPECT_DOUBLE_EQ(pace(0.0, 500.0, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(pace(500.0, 0.0, 0.0), 1.5);
+}
+
+TEST_F(Way, AlongARouteGoesBesideCornersThatSomethingStandsAt) {
+  flow::BehaviorProbe p = probe("PlanWay");
+  const std::vector<Point> route = {{0.0, 50.0}, {50.0, 50.0}, {100.0, 50.0}, {100.0, 110.0}};
+  p.percepts.order.route = route;
+  p.percepts.order.sequence = 1;
+  p.percepts.ground = ground();
+  p.set("along_route", true).set("from", Point{10.0, 50.0}).set("goal", Point{100.0, 110.0});
+  p.step();
+  const auto way = p.output<PlannedWay>();
+  EXPECT_EQ(way.end, WayEnd::kGoal);
+  const auto points = way.points();
+  ASSERT_GT(points.size(), 3U);
+  EXPECT_EQ(points.front(), (Point{10.0, 50.0}));
+  EXPECT_EQ(points.back(), (Point{100.0, 110.0}));
+  EXPECT_NE(std::ranges::find(points, Point{100.0, 50.0}), points.end());
+  EXPECT_EQ(std::ranges::find(points, Point{50.0, 50.0}), points.end());
+  EXPECT_TRUE(
+      std::ranges::any_of(points, [](Point corner) { return distance(corner, {50.0, 50.0}) < 13.3; }));
+  EXPECT_TRUE(schema::is_open(p.percepts.ground, way));
+  p.set("along_route", false);
+  p.step();
+  const auto straight_there = p.output<PlannedWay>();
+  EXPECT_EQ(std::ranges::find(straight_there.points(), Point{100.0, 50.0}), straight_there.points().end());
+}
+
+TEST_F(Way, ATrapIsToldOnceByWhoStandsAboutInIt) {
+  flow::BehaviorProbe p = probe("TellOfTrap");
+  p.percepts.order.sequence = 1;
+  p.percepts.unit.rank = 1;
+  const auto tells = [&](double time, Point here, double remaining) {
+    p.percepts.time = time;
+    p.percepts.pose.position = here;
+    p.set("remaining", remaining);
+    p.action = {};
+    p.step();
+    return std::string(p.action.alert.data());
+  };
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(tells(i, {i * 4.0, 0.0}, 800.0 - 4.0 * i), "") << "it goes on";
+  int told = 0;
+  for (int i = 100; i < 400; ++i) {
+    const std::string text = tells(i, {400.0, i % 5 * 1.0}, 400.0);
+    if (text.empty()) continue;
+    ++told;
+    EXPECT_EQ(
+        text,
+        "Trap: stands near (400, 0), no nearer to the goal for 60 s; robots that plan their ways get out");
+  }
+  EXPECT_EQ(told, 1);
+  p.percepts.order.sequence = 2;
+  p.percepts.order.halted = true;
+  for (int i = 400; i < 600; ++i) EXPECT_EQ(tells(i, {400.0, 0.0}, 400.0), "") << "it is told to stand";
 }
 
 TEST_F(Way, IsFollowedRoundItsCornersToItsEnd) {

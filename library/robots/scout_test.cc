@@ -115,8 +115,9 @@ const flow::Program& scout() {
 }
 
 TEST(Scout, DoesWhatItDidAsANetworkWrittenByHand) {
-  EXPECT_EQ(deeds(scout(), {}), 8341195207322162590ULL);
-  EXPECT_EQ(deeds(scout(), {{"navigation_swirl_gain", "1"},
+  EXPECT_EQ(deeds(scout(), {{"plans_ways", "0"}}), 8341195207322162590ULL);
+  EXPECT_EQ(deeds(scout(), {{"plans_ways", "0"},
+                            {"navigation_swirl_gain", "1"},
                             {"navigation_move_to_concealment_gain", "0.5"},
                             {"formation_reference", "leader"},
                             {"cautious_mode", "true"},

@@ -34,8 +34,10 @@ const flow::Program& standard() {
   return *kProgram;
 }
 
-// One standard robot with its percepts, and what it did last.
+// One standard robot that only reacts, with its percepts, and what it did last.
 struct Robot {
+  Robot() { set("plans_ways", "0"); }
+
   flow::Frame frame = standard().make_frame();
   percept::Percepts percepts;
   percept::Action action;

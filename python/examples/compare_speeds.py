@@ -14,9 +14,9 @@ for combination in table.combinations:
     print(f"{combination.set}: {combination.successes} of {combination.runs}, between {combination.low:.2f} and {combination.high:.2f}")
 
 # It prints:
-#     0.5 m/s: 1676 s, 1036 m
-#     1 m/s: 837 s, 1036 m
-#     2 m/s: 417 s, 1038 m
+#     0.5 m/s: 1738 s, 1087 m
+#     1 m/s: 870 s, 1087 m
+#     2 m/s: 435 s, 1088 m
 #     {'base_velocity': '0.5'}: 20 of 20, between 0.83 and 1.00
 #     {'base_velocity': '1'}: 20 of 20, between 0.83 and 1.00
 #     {'base_velocity': '2'}: 20 of 20, between 0.83 and 1.00

@@ -28,8 +28,8 @@ print("outcome:", run.outcome)
 
 # It prints:
 #     Patrol has the robots [1, 2]
-#     after 10 s robot 1 is at 128, 154
-#     after 10 s robot 2 is at 90, 174
+#     after 10 s robot 1 is at 120, 162
+#     after 10 s robot 2 is at 83, 173
 #     base velocity: 5.0 m/s
-#     it made 444 m more in 825 s
+#     it made 508 m more in 1108 s
 #     outcome: done

@@ -49,4 +49,4 @@ print(f"base velocity: {best:.1f} m/s")
 
 # It prints:
 #     better than at 1 m/s: True
-#     base velocity: 2.3 m/s
+#     base velocity: 2.2 m/s

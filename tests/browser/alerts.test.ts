@@ -2,7 +2,13 @@ import { expect, test } from "vitest";
 import { begin } from "./begin.ts";
 
 test("robots that stand in the way of a rock and get no nearer are told as stuck, and dismissed", async () => {
-  const { console } = await begin({ mission: "demo_c" });
+  const { console } = await begin({
+    mission: "demo_c",
+    // Robots that plan their ways go round it.
+    prepare: (project) => {
+      project.write("demo_c.mdl", project.read("demo_c.mdl").replace(/^UNIT/m, "SET NAVIGATION REACTIVE\nUNIT"));
+    },
+  });
   const { page } = console;
   await console.startRobots();
   await console.panel("World");
@@ -53,6 +59,7 @@ test("a robot that touches something is told, with the place", async () => {
         "demo_c.mdl",
         `MISSION NAME "Blind"
 OVERLAY democ.odl
+SET NAVIGATION REACTIVE
 NEW-ROBOT blind "robot" green (navigation_avoid_obstacle_gain = 0)
 UNIT <scouts> (<scouts-1> blind blind) (<scouts-2> blind blind)
 COMMAND LIST:

@@ -66,15 +66,6 @@ TEST_F(Command, PrintInThePreambleAndAnOrderToOneRobotAreCarriedOut) {
   EXPECT_EQ(report.at("steps").at(1).at("commands").at(0).at("outcome"), "done");
 }
 
-TEST_F(Command, ARobotThatTheEdgeOfTheAreaHoldsIsSaidToBeHeldByIt) {
-  write("map.odl", "SITE Test\nMISSION-AREA 200 200\nCONTROL MEASURES:\nPP Here 100 100\nPP There 300 100\n");
-  write("mission.mdl", kMission);
-  const Outcome o = mlab("run mission.mdl --headless --patience 30");
-  EXPECT_EQ(o.status, 1);
-  EXPECT_TRUE(has(o.out, "edge of the mission area to the east")) << o.out;
-  EXPECT_FALSE(has(o.out, "to the west")) << o.out;
-}
-
 TEST_F(Command, ProceedNeedsNobodyAtTheTerminalToEndATeleoperation) {
   write("map.odl", kMap);
   write("mission.mdl", std::string(kMission) + "2. UNIT u TELEOPERATE Here\n3. UNIT u MOVETO Here\n");
@@ -294,15 +285,6 @@ TEST_F(Command, AnInterruptEndsTheRunWithAReport) {
   ASSERT_TRUE(report.is_object()) << o.out << o.err;
   EXPECT_EQ(report["outcome"], "interrupted");
   EXPECT_EQ(report["steps"][1]["outcome"], "running");
-}
-
-TEST_F(Command, AUnitThatGetsNowhereFailsTheMissionAndIsNamed) {
-  write("map.odl", std::string(kMap) + "WALL w 130 0 130 200\n");
-  write("m.mdl", kMission);
-  const Outcome o = mlab("run m.mdl --headless --proceed --patience 20");
-  EXPECT_EQ(o.status, 1);
-  EXPECT_TRUE(has(o.out, "no progress for 20 s; robot 1 at (")) << o.out;
-  EXPECT_TRUE(has(o.out, "from_obstacles")) << o.out;
 }
 
 TEST_F(Command, MistakesAreReportedWithFileLineAndColumn) {

@@ -205,12 +205,38 @@ TEST_F(Command, WhereThePageIsMissingTheConsoleSaysWhyAndAllElseWorks) {
 }
 
 TEST_F(Command, QuietlyARunSaysWhyItFailed) {
-  write("map.odl", std::string(kMap) + "WALL w 130 0 130 200\n");
+  write("map.odl", std::string(kMap) + "WALL w 130 0 130 1000\n");
   write("m.mdl", kMission);
   const Outcome o = mlab("run m.mdl --headless --quiet --patience 20");
   EXPECT_EQ(o.status, 1);
   EXPECT_TRUE(has(o.out, "step 1: unit u MOVETO There failed: no progress for 20 s")) << o.out;
   EXPECT_FALSE(has(o.out, "step 0")) << o.out;
+}
+
+TEST_F(Command, ARobotThatTheEdgeOfTheAreaHoldsIsSaidToBeHeldByIt) {
+  write("map.odl", "SITE Test\nMISSION-AREA 200 200\nCONTROL MEASURES:\nPP Here 100 100\nPP There 300 100\n");
+  write("mission.mdl", kMission);
+  const Outcome o = mlab("run mission.mdl --headless --patience 30 --set plans_ways=0");
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.out, "edge of the mission area to the east")) << o.out;
+  EXPECT_FALSE(has(o.out, "to the west")) << o.out;
+  const Outcome planned = mlab("run mission.mdl --headless --patience 30");
+  EXPECT_EQ(planned.status, 0) << "it is as near as it can be";
+  EXPECT_TRUE(has(planned.out,
+                  "Way: the mission area ends before (300, 100); (199.5, 100.0) is the nearest place to it"))
+      << planned.out;
+}
+
+TEST_F(Command, AUnitThatGetsNowhereFailsTheMissionAndIsNamed) {
+  write("map.odl", std::string(kMap) + "WALL w 130 0 130 1000\n");
+  write("m.mdl", kMission);
+  for (const char* plans : {"0", "1"}) {
+    const Outcome o =
+        mlab("run m.mdl --headless --proceed --patience 20 --set plans_ways=" + std::string(plans));
+    EXPECT_EQ(o.status, 1);
+    EXPECT_TRUE(has(o.out, "no progress for 20 s; robot 1 at (")) << o.out;
+    EXPECT_TRUE(has(o.out, *plans == '0' ? "from_obstacles" : "Way: no way to")) << o.out;
+  }
 }
 
 TEST_F(Command, RepeatedWarningsAreCounted) {

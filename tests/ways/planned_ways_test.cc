@@ -1,10 +1,12 @@
 // The standard robot finds its way wherever there is one, alone and in formation, and says where there is
 // none.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,9 +52,20 @@ class Planned : public testing::Test {
     text += fmt::format(
         "\nCOMMAND LIST:\n0. UNIT team START 150 200 0 10\n1. UNIT team MOVETO 450 200 FORMATION {}\n",
         formation);
+    make_run(text, unknown, moving);
+  }
+
+  void make_run(const std::string& text, const std::vector<Rock>& unknown = {},
+                const std::vector<overlay::ObstacleDisc>& moving = {}) {
     text::Diagnostics sink;
     const auto source = std::make_shared<const text::Source>("test.mdl", text);
-    const auto read = mdl::check_mission(source, "", sink);
+    mdl::LoadOptions options;
+    options.files.is_file = [](const std::string& path) { return path == "road.odl"; };
+    options.files.read = [](const std::string& path) -> text::Result<text::SourcePtr> {
+      return std::make_shared<const text::Source>(
+          path, "CONTROL MEASURES:\nROAD Street 150 200 250 200 400 200 400 100 400 350 8\n");
+    };
+    const auto read = mdl::check_mission(source, "", sink, options);
     ASSERT_NE(read, nullptr) << text::render(sink);
     const auto mission = std::make_shared<mission::Mission>(*read);
     mission->overlay.obstacles.insert(mission->overlay.obstacles.end(), moving.begin(), moving.end());
@@ -63,6 +76,12 @@ class Planned : public testing::Test {
     event.start = 1.0;
     for (const Rock& rock : unknown) event.changes.push_back(overlay::AddObstacle{rock.center, rock.radius});
     if (!unknown.empty()) settings.environment.events.push_back(event);
+    overlay::EnvironmentEvent clearing;
+    clearing.start = 60.0;
+    if (cleared_) {
+      clearing.changes.push_back(overlay::RemoveObstacle{*cleared_});
+      settings.environment.events.push_back(clearing);
+    }
     run_ = simulated::make_run(mission, {}, settings, sink);
     ASSERT_NE(run_, nullptr) << text::render(sink);
     run_->set_observer([this](const mission::Effect& effect) {
@@ -89,14 +108,70 @@ class Planned : public testing::Test {
 
   std::unique_ptr<run::MissionRun> run_;
   std::string told_;
+  std::optional<geom::Point> cleared_;  ///< the obstacle there goes after a minute
 };
 
 TEST_F(Planned, ABowOfRocksHoldsOnlyWhoReacts) {
   make(bow(), "plans_ways = false");
   EXPECT_FALSE(go());
+  EXPECT_NE(told_.find("Trap: "), std::string::npos) << told_;
+  told_.clear();
   make(bow(), "plans_ways = true");
   EXPECT_TRUE(go()) << told_;
   EXPECT_EQ(contacts(), 0U);
+  EXPECT_EQ(told_.find("Trap: "), std::string::npos) << told_;
+}
+
+TEST_F(Planned, TheMissionSaysWhoReactsUnlessATypeDoes) {
+  std::string rocks = "MISSION-AREA 600 400\n";
+  for (const Rock& rock : bow())
+    rocks += fmt::format("OBSTACLE {} {} {}\n", rock.center.x, rock.center.y, rock.radius);
+  const std::string steps = "\nCOMMAND LIST:\n0. UNIT team START 150 200\n1. UNIT team MOVETO 450 200\n";
+  make_run(rocks + "UNIT <team> ROBOT" + steps);
+  EXPECT_TRUE(go()) << told_;
+  make_run(rocks + "SET NAVIGATION REACTIVE\nUNIT <team> ROBOT" + steps);
+  EXPECT_FALSE(go());
+  make_run(
+      rocks +
+      "SET NAVIGATION REACTIVE\nNEW-ROBOT planner robot blue \"\" (plans_ways = on)\nUNIT <team> planner" +
+      steps);
+  EXPECT_TRUE(go()) << told_;
+}
+
+TEST_F(Planned, ARouteIsFollowedRoundWhatStandsOnIt) {
+  for (const char* formation : {"Column", "Wedge"}) {
+    make_run(fmt::format(
+        "MISSION-AREA 600 400\nOVERLAY road.odl\nOBSTACLE 250 200 30\nOBSTACLE 400 100 12\n"
+        "NEW-ROBOT planner robot blue \"\" (formation_spacing = 15)\nUNIT <team> planner planner planner "
+        "planner\n"
+        "COMMAND LIST:\n0. UNIT team START 100 200 0 10\n1. UNIT team FOLLOW Street FORMATION {}\n",
+        formation));
+    EXPECT_TRUE(go()) << formation << "\n" << told_;
+    EXPECT_EQ(contacts(), 0U);
+    EXPECT_LT(distance(run_->fleet().group(run_->fleet().robots().front())->center, {400.0, 350.0}), 10.0);
+  }
+}
+
+// The last one has to come out of a bow; without being told to, nobody waits for it.
+TEST_F(Planned, AUnitKeepsTogetherWhereItIsToldTo) {
+  const auto longest = [&](const std::string& set) {
+    make_run(
+        "MISSION-AREA 1000 400\n" + set +
+        "NEW-ROBOT planner robot blue \"\" (formation_spacing = 10)\n"
+        "NEW-ROBOT slow robot blue \"\" (formation_spacing = 10, max_velocity = 2)\n"
+        "UNIT <team> planner planner planner slow\n"
+        "COMMAND LIST:\n0. UNIT team START 100 200 0 10\n1. UNIT team MOVETO 900 200 FORMATION Column\n");
+    double out = 0.0;
+    while (run_->step() != run::MissionRun::Progress::kOver) {
+      for (const fleet::FleetRobot& one : run_->fleet().robots())
+        for (const fleet::FleetRobot& other : run_->fleet().robots())
+          out = std::max(out, distance(run_->fleet().pose(one).position, run_->fleet().pose(other).position));
+    }
+    EXPECT_EQ(run_->state().outcome, mission::Outcome::kDone) << told_;
+    return out;
+  };
+  EXPECT_GT(longest(""), 200.0);
+  EXPECT_LT(longest("SET COHESION 10\n"), 100.0);
 }
 
 TEST_F(Planned, WhatNobodyKnewOfIsRemembered) {
@@ -155,6 +230,19 @@ TEST_F(Planned, EverybodyPassesThroughTrafficAndMeetsNothing) {
     met += contacts();
   }
   EXPECT_GT(met, 0U);
+}
+
+// Rocks close a pass, and one of them is cleared away.
+TEST_F(Planned, WhatIsGoneIsForgotten) {
+  cleared_ = {300.0, 45.0};
+  make_run(
+      "MISSION-AREA 600 60\nUNIT <team> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT team START 150 25 0 10\n"
+      "1. UNIT team MOVETO 450 30 FORMATION Column\n",
+      {{{300.0, 15.0}, 16.0}, {{300.0, 45.0}, 16.0}});
+  EXPECT_FALSE(go(500));
+  EXPECT_NE(told_.find("no way to (450, 30) is known"), std::string::npos) << told_;
+  EXPECT_TRUE(go()) << told_;
+  EXPECT_EQ(contacts(), 0U);
 }
 
 TEST_F(Planned, AFormationGoesRoundAndOpensAgain) {

@@ -44,7 +44,7 @@ TEST(AsRecorded, PlacesAndMarksSayWhereTheyPart) {
   const Comparison is = compared(testing::of_entries(of_vehicles(1)), testing::of_entries(of_vehicles(2)));
   ASSERT_TRUE(is.parting);
   EXPECT_EQ(is.parting->what, Parting::What::kPlace);
-  EXPECT_EQ(is.parting->same_until, 100U);
+  EXPECT_EQ(is.parting->same_until, 200U);
   EXPECT_NE(report_of(is).find("Only what was recorded is compared"), std::string::npos);
   ASSERT_EQ(is.robots.size(), 4U);
   EXPECT_GT(is.robots[0].most_apart, 0.0);

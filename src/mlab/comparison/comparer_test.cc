@@ -19,6 +19,7 @@ using testing::has;
 using testing::HistoryPtr;
 
 constexpr const char* kDemo = "demo_c/demo_c.mdl";
+constexpr const char* kCourse = "formations/formations.mdl";
 
 std::string joined(const std::vector<std::string>& sentences) {
   std::string out;
@@ -78,7 +79,7 @@ TEST(Comparer, SaysWhichRunHasARobotAlone) {
 }
 
 TEST(Comparer, NamesCycleRobotAndNodeOfTwoSeeds) {
-  const Comparison is = compared(carried_out(kDemo, 1, 300), carried_out(kDemo, 2, 300));
+  const Comparison is = compared(carried_out(kCourse, 1, 300), carried_out(kCourse, 2, 300));
   ASSERT_TRUE(is.parting) << report_of(is);
   EXPECT_EQ(is.parting->what, Parting::What::kPort);
   EXPECT_GT(is.parting->robot, 0U);
@@ -144,11 +145,11 @@ TEST(Comparer, SaysWhatAPersonDidInOneOfThemAlone) {
 
 TEST(Comparer, SaysThatSomebodyHoldsAValue) {
   const auto hold = [](WrittenRun& written, int cycle) {
-    if (cycle == 30) written.run().hold_value({1}, "occupy", "{1, 0}");
+    if (cycle == 30) written.run().hold_value({1}, "along_way", "{1, 0}");
   };
   const Comparison is = compared(carried_out(kDemo, 1, 60, hold), carried_out(kDemo, 1, 60));
   ASSERT_TRUE(is.parting) << report_of(is);
-  EXPECT_EQ(is.parting->value.path, "occupy");
+  EXPECT_EQ(is.parting->value.path, "along_way");
   EXPECT_TRUE(has(is.parting->causes, "somebody holds it in A")) << joined(is.parting->causes);
 }
 
@@ -208,7 +209,7 @@ TEST(Comparer, OfWhichNobodyWaitsForTheEndSaysSo) {
 }
 
 TEST(Comparison, IsTheSameForPeopleAndPrograms) {
-  const Comparison is = compared(carried_out(kDemo, 1, 200), carried_out(kDemo, 2, 200));
+  const Comparison is = compared(carried_out(kDemo, 1, 300), carried_out(kDemo, 2, 300));
   const auto json = nlohmann::json::parse(json_of(is));
   EXPECT_EQ(json["same"], false);
   EXPECT_EQ(json["parting"]["cycle"], is.parting->cycle);

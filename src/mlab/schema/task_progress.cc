@@ -16,7 +16,7 @@ TaskProgress task_progress(percept::Task task, const TaskMeasures& measures) {
     case percept::Task::kSweepTo:
       return is_planned ? place_on_way : arrival;
     case percept::Task::kFollow:
-      return within(measures.route_remaining, measures.success_radius);
+      return is_planned ? place_on_way : within(measures.route_remaining, measures.success_radius);
     case percept::Task::kOccupy: {
       if (is_planned) return place_on_way;
       const TaskProgress place = within(measures.station_error, measures.slop);

@@ -107,6 +107,23 @@ PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& wa
   return out;
 }
 
+// With a last piece straight to the goal, as far as nothing is in front of it.
+PlannedWay up_to_the_goal(const ways::Clearing& clearing, PlannedWay way, geom::Point goal) {
+  if (way.count == 0) return way;
+  const geom::Point last = way.points().back();
+  double open = 0.0;  // share of that piece
+  double closed = 1.0;
+  constexpr double kExact = 0.1;  // [m]
+  while ((closed - open) * distance(last, goal) > kExact) {
+    const double middle = 0.5 * (open + closed);
+    (clearing.is_free(geom::Segment{last, last + (goal - last) * middle}) ? open : closed) = middle;
+  }
+  const WayEnd end = way.end;
+  add(way, last + (goal - last) * open);
+  way.end = end;
+  return way;
+}
+
 // Where a way leads at its ends. The last metres may only lead up to a goal that something stands near to.
 constexpr double kEnd = 20.0;  // [m]
 geom::Offset begin_direction(std::span<const geom::Point> way) {
@@ -145,9 +162,57 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
     if (way) return put_together(*tight, from, *way, goal, WayEnd::kGoal);
     if (clearance > least) continue;
     const auto part = site->planner.find(*begin, way.error().nearest, kMostEffort);
-    if (part) return put_together(*tight, from, *part, goal, WayEnd::kClosedOff);
+    if (part)
+      return up_to_the_goal(site->clearing(), put_together(*tight, from, *part, goal, WayEnd::kClosedOff),
+                            goal);
   }
   return out;
+}
+
+PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
+                      std::span<const geom::Point> corners, double radius, double margin) {
+  PlannedWay out;
+  out.clearance = radius + margin;
+  out.end = WayEnd::kGoal;
+  geom::Point here = from;
+  for (const geom::Point& corner : corners) {
+    const bool is_last = &corner == &corners.back();
+    const PlannedWay leg = plan_way(ground, here, corner, radius, margin);
+    if (!is_last && (leg.end == WayEnd::kClosedOff || leg.end == WayEnd::kNowhere)) continue;
+    for (const geom::Point point : leg.points()) add(out, point);
+    if (leg.count > 0) {
+      out.clearance = std::min(out.clearance, leg.clearance);
+      here = leg.points().back();
+    }
+    if (out.end == WayEnd::kFull || leg.end == WayEnd::kFull) {
+      out.end = WayEnd::kFull;
+      return out;
+    }
+    if (is_last) out.end = leg.end;
+  }
+  return out;
+}
+
+std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geom::Point> corners) {
+  const auto points = way.points();
+  const double length = route_length(points);
+  double before = 0.0;
+  std::size_t passed = 0;
+  while (passed + 1 < corners.size()) {
+    before = nearest_way(points, corners[passed], before, length);
+    if (before >= at) break;
+    ++passed;
+  }
+  return passed;
+}
+
+bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const PlannedWay& way,
+              geom::Point from, double stray) {
+  if (!is_same_ground && (way.end == WayEnd::kClosedOff || !is_open(ground, way))) return false;
+  const auto points = way.points();
+  const double length = route_length(points);
+  const double at = nearest_way(points, from, 0.0, length);
+  return distance(route_point(points, at), from) <= stray && (way.end != WayEnd::kFull || at < 0.7 * length);
 }
 
 bool is_open(const percept::KnownGround& ground, const PlannedWay& way) {
@@ -200,9 +265,17 @@ std::string no_way_text(const percept::KnownGround& ground, geom::Point last, ge
                      goal.y, what_blocks(ground, last, goal), distance(last, goal));
 }
 
-std::string beside_goal_text(geom::Point last, geom::Point goal) {
-  return fmt::format("something stands at ({:.0f}, {:.0f}); ({:.1f}, {:.1f}) is the nearest place to it",
-                     goal.x, goal.y, last.x, last.y);
+std::string beside_goal_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal) {
+  const bool is_outside = ground.revision != 0 && !ground.bounds.contains(goal);
+  return fmt::format("{} ({:.0f}, {:.0f}); ({:.1f}, {:.1f}) is the nearest place to it",
+                     is_outside ? "the mission area ends before" : "something stands at", goal.x, goal.y,
+                     last.x, last.y);
+}
+
+std::string trap_text(geom::Point here, bool stands, double seconds) {
+  return fmt::format(
+      "{} near ({:.0f}, {:.0f}), no nearer to the goal for {:g} s; robots that plan their ways get out",
+      stands ? "stands" : "goes round", here.x, here.y, seconds);
 }
 
 PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& way, geom::Vector station,

@@ -29,6 +29,22 @@ inline bool is_finite(geom::Point p) {
 ways::PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal,
                           double radius, double margin);
 
+/// A way that leads from where one is to a route and along it to its end, round what stands on it: beside
+/// corners of the route that something stands at; those that no way leads to are left out.
+/// @param corners  those of the route that are still to come [m, world]; at least one
+/// @return  its `end` says what is at the route's end; `kFull` where the way is longer than it can tell
+ways::PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
+                            std::span<const geom::Point> corners, double radius, double margin);
+
+/// How many corners of a route one has passed who is so far along a way that leads along it.
+/// @param corners  those that were still to come when the way was planned [m, world]
+std::size_t corners_passed(const ways::PlannedWay& way, double at, std::span<const geom::Point> corners);
+
+/// Whether a way that was planned on other ground still leads where it did: nothing stands on it, and who is
+/// on it is no farther off than `stray` [m], nor near the end of one that was too long to be told.
+bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const ways::PlannedWay& way,
+              geom::Point from, double stray);
+
 /// Whether nothing that is known stands nearer to the way's pieces than its clearance, but for its ends.
 bool is_open(const percept::KnownGround& ground, const ways::PlannedWay& way);
 
@@ -39,7 +55,9 @@ std::string what_blocks(const percept::KnownGround& ground, geom::Point from, ge
 /// What the operator is to read where no way leads farther than `last`, and where something stands at the
 /// goal.
 std::string no_way_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal);
-std::string beside_goal_text(geom::Point last, geom::Point goal);
+std::string beside_goal_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal);
+/// And where a robot that only reacts is in a trap.
+std::string trap_text(geom::Point here, bool stands, double seconds);
 
 /// A place beside a way, and how far along the way it is.
 struct PlaceAhead {

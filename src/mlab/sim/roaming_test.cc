@@ -238,7 +238,8 @@ TEST(Roaming, AnyNumberOfThreadsGivesTheSame) {
     Simulator simulator(world_with(obstacles), {.seed = 1, .threads = threads});
     std::vector<geom::Vector> velocities;
     for (std::uint32_t i = 0; i < 600; ++i) {
-      add(simulator, {5.0 + 7 * (i % 27), 30.0 + 6.0 * (i / 27)}, i, i + 1);
+      const std::uint32_t row = i / 27;
+      add(simulator, {5.0 + 7 * (i % 27), 30.0 + 6.0 * row}, i, i + 1);
       velocities.push_back({1.0 + i % 5, 0.3 * (i % 3), 0.0});
     }
     drive(simulator, velocities, 150);

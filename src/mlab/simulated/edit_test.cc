@@ -177,7 +177,7 @@ TEST(Edit, WallsAndObjectsComeAndGoWithTheOverlay) {
   const auto other = two_robots();
   overlay::ControlMeasure wall;
   wall.kind = overlay::MeasureKind::kWall;
-  wall.points = {{200.0, 0.0}, {200.0, 300.0}};
+  wall.points = {{200.0, 0.0}, {200.0, 1000.0}};
   other->overlay.measures.push_back(wall);
   other->overlay.objects.push_back({{40.0, 30.0}, 0.5, overlay::ObjectStyle::kFixed, "white", {}});
   other->overlay.objects.push_back(mission->overlay.objects[0]);

@@ -61,8 +61,8 @@ TEST(Ways, AreShownOfRobotsThatPlanThem) {
   const auto run = testing::run_of(
       "MISSION-AREA 1000 1000\n"
       "OBSTACLE 400 100 20\n"
-      "NEW-ROBOT planner \"robot\" blue \"\" (plans_ways = true)\n"
-      "UNIT <pair> planner ROBOT\n"
+      "NEW-ROBOT reactor \"robot\" blue \"\" (plans_ways = false)\n"
+      "UNIT <pair> ROBOT reactor\n"
       "COMMAND LIST:\n"
       "0. UNIT pair START 100 100 0 40\n"
       "1. UNIT pair MOVETO 700 100 FORMATION Line\n");
