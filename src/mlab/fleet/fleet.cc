@@ -206,6 +206,17 @@ void Fleet::leave_groups(std::span<const std::uint32_t> members) {
   }
 }
 
+namespace {
+
+// In whatever order. A unit may have very many.
+bool are_same_members(std::vector<std::uint32_t> some, std::vector<std::uint32_t> others) {
+  std::ranges::sort(some);
+  std::ranges::sort(others);
+  return some == others;
+}
+
+}  // namespace
+
 void Fleet::order(const mission::effect::Order& effect) {
   Group group;
   group.order = effect.order;
@@ -221,12 +232,11 @@ void Fleet::order(const mission::effect::Order& effect) {
   if (leader.group != FleetRobot::kNoGroup) {
     const Group& before = now_.groups[leader.group];
     group.formation_heading = before.formation_heading;
-    std::vector<std::uint32_t> ranked = before.members;
-    if (std::ranges::is_permutation(ranked, group.members)) {
+    if (are_same_members(before.members, group.members)) {
       group.center = before.center;
       group.has_center = before.has_center;
       // What only goes on or halts keeps its stations.
-      if (before.order.sequence == group.order.sequence) kept = std::move(ranked);
+      if (before.order.sequence == group.order.sequence) kept = before.members;
     }
   } else {
     group.formation_heading = leader.start.heading;
