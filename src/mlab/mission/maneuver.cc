@@ -6,13 +6,10 @@ namespace mlab::mission {
 
 std::vector<Preset> presets(const Options& options) {
   std::vector<Preset> out;
-  for (const ManeuverInfo& one : kManeuvers) {
-    if (one.parameter.empty()) continue;
-    if (one.option == decltype(one.option){BooleanOption::kPlanWays} && options.plans_ways)
-      out.push_back({one.parameter, *options.plans_ways ? "1" : "0"});
-    if (one.option == decltype(one.option){NumberOption::kCohesion} && options.cohesion)
-      out.push_back({one.parameter, fmt::format("{}", *options.cohesion)});
-  }
+  if (options.plans_ways)
+    out.push_back({maneuver(BooleanOption::kPlanWays)->parameter, *options.plans_ways ? "1" : "0"});
+  if (options.cohesion)
+    out.push_back({maneuver(NumberOption::kCohesion)->parameter, fmt::format("{}", *options.cohesion)});
   return out;
 }
 
