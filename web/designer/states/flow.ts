@@ -26,6 +26,8 @@ export interface TransitionData extends Record<string, unknown> {
 }
 /** Of more of them, labels are as large as they are: there is no room for larger ones, and looking for it takes long. */
 const kManyTransitions = 150;
+/** Labels as large as they are must find room; larger ones only may. Of more transitions each restart takes too long. */
+const restartsFor = (scale: number, transitions: number) => (scale === 1 && transitions <= 40 ? 12 : 0);
 
 export type StateNode = FlowNode<StateData, "state">;
 export type TransitionEdge = Edge<TransitionData, "transition">;
@@ -123,7 +125,8 @@ export function transitionRoutes(drawing: Drawing, places: Places, wanted = 1): 
   let best: { routes: Route[]; scale: number; trouble: number } | undefined;
   const isMany = drawing.transitions.length > kManyTransitions;
   for (const scale of kScales.filter((one) => one <= wanted && (one === 1 || !isMany))) {
-    const found = router.run(drawing.transitions.map((transition) => labelsOf(drawing, transition, scale)));
+    const labels = drawing.transitions.map((transition) => labelsOf(drawing, transition, scale));
+    const found = router.run(labels, restartsFor(scale, labels.length));
     if (!best || found.trouble < best.trouble) best = { ...found, scale };
     if (best.trouble === 0) break;
   }

@@ -83,22 +83,37 @@ export class Router {
     this.tried = ways.map((way) => this.candidates(way));
   }
 
-  /** `labels`: one for each way. */
-  run(labels: readonly LabelSizes[]): Routes {
+  /** `labels`: one for each way. `restarts`: how often all begin anew, at most. */
+  run(labels: readonly LabelSizes[], restarts: number): Routes {
     this.labels = labels;
+    let order = [...this.ways.keys()];
+    let best: { taken: (ChosenRoute | undefined)[]; trouble: number } | undefined;
+    for (let attempt = 0; attempt <= restarts; ++attempt) {
+      const troubles = this.chooseInOrder(order);
+      const trouble = troubles.reduce((sum, one) => sum + one, 0);
+      if (!best || trouble < best.trouble) best = { taken: this.taken, trouble };
+      if (trouble === 0) break;
+      order = [...order.filter((i) => troubles[i]! > 0), ...order.filter((i) => troubles[i] === 0)];
+    }
+    this.taken = best!.taken;
+    return {
+      routes: this.taken.map((one) => one?.route ?? { bend: 0, at: 0.5, isShort: false }),
+      trouble: best!.trouble,
+    };
+  }
+
+  /** All anew, and again until nothing gets better. @returns how much of each lies on something */
+  private chooseInOrder(order: readonly number[]): number[] {
     this.taken = this.ways.map(() => undefined);
-    for (const i of this.ways.keys()) this.choose(i);
+    for (const i of order) this.choose(i);
     for (let round = 0; round < this.thoroughness.rounds; ++round) {
       let isBetter = false;
-      for (const i of this.ways.keys()) {
+      for (const i of order) {
         if (this.taken[i] && this.troubles(i, this.taken[i]!) > 0) isBetter = this.choose(i) || isBetter;
       }
       if (!isBetter) break;
     }
-    return {
-      routes: this.taken.map((one) => one?.route ?? { bend: 0, at: 0.5, isShort: false }),
-      trouble: this.taken.reduce((sum, one, i) => sum + (one ? this.hardTrouble(i, one) : 0), 0),
-    };
+    return this.taken.map((one, i) => (one ? this.hardTrouble(i, one) : 0));
   }
 
   private candidates(way: StatePair): Candidate[] {
