@@ -1,0 +1,70 @@
+#include "mlab/ways/coverage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mlab/ways/search_route.h"
+
+namespace mlab::ways {
+namespace {
+
+// What is told by cells is a little more or less; so somewhat more is seen than is wanted.
+constexpr double kUnseen = 0.7 * (1.0 - Coverage::kWanted);
+
+Coverage none(CoverageEnd end) {
+  Coverage out;
+  out.end = end;
+  return out;
+}
+
+bool is_finite(geom::Point p) {
+  return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+bool is_usable(std::span<const geom::Point> outline, const Ground& ground, double clearance, double swath) {
+  const auto is_disc = [](const Round& disc) {
+    return is_finite(disc.center) && std::isfinite(disc.radius) && disc.radius >= 0.0;
+  };
+  const auto is_wall = [](const geom::Segment& wall) { return is_finite(wall.a) && is_finite(wall.b); };
+  return std::isfinite(clearance) && clearance >= 0.0 && std::isfinite(swath) && swath > 0.0 &&
+         std::ranges::all_of(outline, is_finite) && std::ranges::all_of(ground.discs, is_disc) &&
+         std::ranges::all_of(ground.walls, is_wall);
+}
+
+/// What is cheap first, and of what is dear no more than must be.
+void improve(SearchRoute& route, std::size_t most_unseen) {
+  route.shorten(0.05, SIZE_MAX);
+  for (const double price : {0.5, 0.25, 0.1, 0.03, 0.0}) route.complete(price, most_unseen / 2);
+  for (const double price : {0.0, 0.05, 0.1, 0.2}) route.shorten(price, most_unseen);
+}
+
+}  // namespace
+
+Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground, double clearance,
+                        double swath) {
+  if (!is_usable(outline, ground, clearance, swath)) return none(CoverageEnd::kUnusable);
+  if (outline.size() < 3) return {};
+  const auto lanes = shortest_lanes(outline, swath, Coverage::kMostLanes);
+  auto grid = lanes ? SearchGrid::over(*lanes, swath) : std::nullopt;
+  if (!grid) return none(CoverageEnd::kTooLarge);
+  Planner planner(ground, clearance);
+  grid->enter(outline, ground, planner);
+  Coverage out;
+  out.free_area = static_cast<double>(grid->to_search()) * grid->cell_area();
+  if (grid->to_see() == 0) return out;
+  const auto to_see = static_cast<double>(grid->to_see());
+  out.visible = to_see / static_cast<double>(grid->to_search());
+  const auto pieces = lane_pieces_in_order(*grid, planner);
+  SearchRoute route(*grid, planner, pieces);
+  const auto most_unseen = static_cast<std::size_t>(kUnseen * to_see);
+  improve(route, most_unseen);
+  out.waypoints = route.waypoints();
+  out.length = route.length();
+  out.seen = 1.0 - static_cast<double>(grid->unseen()) / to_see;
+  out.end = out.seen >= Coverage::kWanted ? CoverageEnd::kCovered : CoverageEnd::kPartly;
+  if (out.waypoints.size() > Coverage::kMostWaypoints) return none(CoverageEnd::kTooLarge);
+  return out;
+}
+
+}  // namespace mlab::ways

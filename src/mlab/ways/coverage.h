@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mlab/ways/ground.h"
+
+namespace mlab::ways {
+
+/// What became of the search for a way.
+enum class CoverageEnd : std::uint8_t {
+  kCovered,          ///< the way sees as much as is wanted of what can be seen
+  kPartly,           ///< it sees less; how much is said
+  kNothingToSearch,  ///< the outline holds no ground, or nothing of it can be seen
+  kUnusable,         ///< numbers that aren't finite or have the wrong sign
+  kTooLarge          ///< for this swath: more lanes, cells or waypoints than are computed
+};
+
+/// A way that sees an area, and what it sees.
+struct Coverage {
+  static constexpr double kWanted = 0.995;  ///< share of what can be seen
+  static constexpr int kMostLanes = 1000;
+  static constexpr std::size_t kMostWaypoints = 10'000;
+
+  CoverageEnd end = CoverageEnd::kNothingToSearch;
+  /// Each a free place; from each to the next as `Planner` plans it. Empty where there is none [m, world].
+  std::vector<geom::Point> waypoints;
+  double length = 0.0;     ///< of the planned ways between them, all together [m]
+  double free_area = 0.0;  ///< inside of the outline and the bounds, outside of things [m^2]
+  double visible = 0.0;    ///< share of that which can be seen from where a robot may be, 0..1
+  double seen = 0.0;       ///< share of what can be seen that the way sees, 0..1; told by cells
+};
+
+/// A way by which one robot sees all of an area, as far as that can be: it comes within half a swath of every
+/// place. Lanes side by side, to and fro, round what stands there; then what they miss is added where it
+/// costs least, and what sees nothing new is left out. Places behind something that a robot can't get round
+/// (of parts between which no way leads, all but the one in which there is most to see) and places too close
+/// to things can't be seen. The way may leave the outline by less than half a swath, but not the bounds.
+///
+/// @param outline    corners of a polygon, in either sense [m, world]; where it crosses itself, what lies
+/// inside of
+///                   an even number of rounds is outside
+/// @param clearance  that the robot's centre keeps from everything [m], >= 0
+/// @param swath      how wide a robot sees, half of it to either side [m], > 0
+/// @return  the same for the same, whatever was asked before
+/// @source  H. Choset, Coverage of Known Spaces: The Boustrophedon Cellular Decomposition, Autonomous Robots
+/// 9(3),
+///          2000; W. Huang, Optimal Line-sweep-based Decompositions for Coverage Algorithms, ICRA 2001
+///          (direction of the lanes); E. Galceran, M. Carreras, A survey on coverage path planning for
+///          robotics, Robotics and Autonomous Systems 61(12), 2013
+Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground, double clearance,
+                        double swath);
+
+}  // namespace mlab::ways

@@ -1,0 +1,98 @@
+#include "mlab/ways/lanes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace mlab::ways {
+namespace {
+
+constexpr std::size_t kMostSides = 32;  // of an outline, the longest ones, that lanes are laid along
+constexpr int kOtherDirections = 16;    // that are tried besides
+// Lanes end so far inside of the outline, on either side: a share of the swath.
+constexpr double kEndsInside = 0.5;
+
+/// Directions worth trying: the fewest lanes lie along a side of the convex hull.
+std::vector<geom::Offset> directions_of(std::span<const geom::Point> outline) {
+  std::vector<geom::Offset> sides;
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    sides.push_back(outline[(i + 1) % outline.size()] - outline[i]);
+  std::ranges::stable_sort(sides, std::greater<>(), [](geom::Offset side) { return dot(side, side); });
+  if (sides.size() > kMostSides) sides.resize(kMostSides);
+  std::vector<geom::Offset> out;
+  for (const geom::Offset side : sides) {
+    if (length(side) > 0.0) out.push_back(unit(side));
+  }
+  for (int i = 0; i < kOtherDirections; ++i) {
+    const double angle = std::numbers::pi * i / kOtherDirections;
+    out.push_back({std::cos(angle), std::sin(angle)});
+  }
+  return out;
+}
+
+/// The rectangle of that direction round the outline, with lanes in it.
+std::optional<Lanes> lanes_along(geom::Offset direction, std::span<const geom::Point> outline, double swath,
+                                 int most) {
+  Lanes out{outline[0], direction, 0.0, 0.0, 1};
+  LanePlace low;
+  LanePlace high;
+  for (const geom::Point corner : outline) {
+    const LanePlace p = out.to_lanes(corner);
+    low = {std::min(low.along, p.along), std::min(low.across, p.across)};
+    high = {std::max(high.along, p.along), std::max(high.across, p.across)};
+  }
+  const double width = high.across - low.across;
+  const double lanes = std::max(1.0, std::ceil(width / swath - 1e-9));
+  if (!(lanes <= most) || !std::isfinite(high.along - low.along)) return std::nullopt;
+  out.count = static_cast<int>(lanes);
+  // What is much narrower than a swath gets a lane through its middle.
+  const double across = std::max(width, 0.25 * swath);
+  out.length = std::max(high.along - low.along, 0.25 * swath);
+  out.spacing = across / lanes;
+  out.origin =
+      out.to_world({0.5 * (low.along + high.along - out.length), 0.5 * (low.across + high.across - across)});
+  return out;
+}
+
+/// How long it is on all lanes, and from each piece of one to the next, were nothing on the ground [m].
+double length_of(const Lanes& lanes, std::span<const geom::Point> outline, double swath) {
+  std::vector<std::vector<double>> crossings(static_cast<std::size_t>(lanes.count));
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const LanePlace a = lanes.to_lanes(outline[i]);
+    const LanePlace b = lanes.to_lanes(outline[(i + 1) % outline.size()]);
+    const auto lane_above = [&](double across) {
+      return static_cast<int>(std::clamp(std::ceil(across / lanes.spacing - 0.5), 0.0, 1.0 * lanes.count));
+    };
+    const int last = lane_above(std::max(a.across, b.across));
+    for (int lane = lane_above(std::min(a.across, b.across)); lane < last; ++lane) {
+      const double share = ((lane + 0.5) * lanes.spacing - a.across) / (b.across - a.across);
+      crossings[static_cast<std::size_t>(lane)].push_back(a.along + share * (b.along - a.along));
+    }
+  }
+  double out = 0.0;
+  for (std::vector<double>& lane : crossings) {
+    std::ranges::sort(lane);
+    for (std::size_t i = 0; i + 1 < lane.size(); i += 2)
+      out += std::max(0.0, lane[i + 1] - lane[i] - 2.0 * kEndsInside * swath) + swath;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<Lanes> shortest_lanes(std::span<const geom::Point> outline, double swath, int most) {
+  std::optional<Lanes> out;
+  double shortest = 0.0;
+  for (const geom::Offset direction : directions_of(outline)) {
+    const auto lanes = lanes_along(direction, outline, swath, most);
+    if (!lanes) continue;
+    const double length = length_of(*lanes, outline, swath);
+    if (out && !(length < shortest * (1.0 - 1e-9))) continue;
+    out = lanes;
+    shortest = length;
+  }
+  return out;
+}
+
+}  // namespace mlab::ways

@@ -1,0 +1,290 @@
+#include "mlab/ways/search_grid.h"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace mlab::ways {
+namespace {
+
+constexpr double kFine = 0.05;           // a cell is no smaller than this share of a swath
+constexpr double kCoarse = 0.2;          // and no larger
+constexpr double kUsualCells = 150'000;  // in between, so that there are about so many
+constexpr std::size_t kMostParts = 64;   // of the ground that are joined, the largest ones
+
+}  // namespace
+
+std::optional<SearchGrid> SearchGrid::over(const Lanes& lanes, double swath) {
+  SearchGrid out;
+  out.lanes_ = lanes;
+  out.reach_ = 0.5 * swath;
+  const double width = lanes.spacing * lanes.count;
+  const double wanted = std::sqrt(lanes.length * width / kUsualCells);
+  const double step = std::clamp(wanted, kFine * swath, kCoarse * swath);
+  out.rows_of_lane_ = 2 * static_cast<int>(std::ceil(0.5 * (lanes.spacing / step - 1.0))) + 1;
+  out.step_across_ = lanes.spacing / out.rows_of_lane_;
+  const double columns = std::ceil(lanes.length / step);
+  if (!(columns < static_cast<double>(kMostCells))) return std::nullopt;
+  out.step_along_ = lanes.length / columns;
+  out.margin_columns_ = static_cast<int>(std::ceil(out.reach_ / out.step_along_)) + 1;
+  out.margin_rows_ = static_cast<int>(std::ceil(out.reach_ / out.step_across_)) + 1;
+  out.columns_ = static_cast<int>(columns) + 2 * out.margin_columns_;
+  out.rows_ = out.rows_of_lane_ * lanes.count + 2 * out.margin_rows_;
+  const double cells = 1.0 * out.columns_ * out.rows_;
+  if (!(cells <= static_cast<double>(kMostCells))) return std::nullopt;
+  const auto count = static_cast<std::size_t>(cells);
+  out.is_inside_.assign(count, 0);
+  out.can_be_seen_.assign(count, 0);
+  out.seen_.assign(count, 0);
+  out.part_.assign(count, 0);
+  return out;
+}
+
+int SearchGrid::cell_of(double at, int count) {
+  return static_cast<int>(std::clamp(std::floor(at), 0.0, static_cast<double>(count - 1)));
+}
+
+void SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner) {
+  enter_inside(outline);
+  const Clearing things(ground, 0.0);
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      std::uint8_t& inside = is_inside_[index(column, row)];
+      if (inside != 0 && !things.is_free(middle(column, row))) inside = 0;
+      to_search_ += inside;
+    }
+  }
+  if (to_search_ == 0) return;
+  enter_parts(planner);
+  enter_edges(ground, planner.clearing());
+  unseen_ = to_see_ = static_cast<std::size_t>(std::ranges::count(can_be_seen_, 1));
+}
+
+/// By the crossings of each row with the outline: between an odd one and the next is inside.
+void SearchGrid::enter_inside(std::span<const geom::Point> outline) {
+  std::vector<std::vector<double>> crossings(static_cast<std::size_t>(rows_));
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const LanePlace a = lanes_.to_lanes(outline[i]);
+    const LanePlace b = lanes_.to_lanes(outline[(i + 1) % outline.size()]);
+    const auto row_above = [&](double across) {
+      return cell_of(std::ceil(across / step_across_ - 0.5) + margin_rows_, rows_);
+    };
+    const int last = row_above(std::max(a.across, b.across));
+    for (int row = row_above(std::min(a.across, b.across)); row < last; ++row) {
+      const double share = (place(0, row).across - a.across) / (b.across - a.across);
+      crossings[static_cast<std::size_t>(row)].push_back(a.along + share * (b.along - a.along));
+    }
+  }
+  for (int row = 0; row < rows_; ++row) {
+    auto& at = crossings[static_cast<std::size_t>(row)];
+    std::ranges::sort(at);
+    for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
+      const auto column_above = [&](double along) {
+        return cell_of(std::ceil(along / step_along_ - 0.5) + margin_columns_, columns_);
+      };
+      for (int column = column_above(at[i]); column < column_above(at[i + 1]); ++column)
+        is_inside_[index(column, row)] = 1;
+    }
+  }
+}
+
+void SearchGrid::enter_parts(Planner& planner) {
+  const Clearing& clearing = planner.clearing();
+  constexpr std::int32_t kFree = -1;
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      if (clearing.is_free(middle(column, row))) part_[index(column, row)] = kFree;
+    }
+  }
+  std::vector<std::size_t> sizes{0, 0};  // by part: cells to be seen in it
+  std::vector<geom::Point> places(2);    // by part: one in it
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      if (part_[index(column, row)] != kFree) continue;
+      sizes.push_back(fill_part(column, row, static_cast<std::int32_t>(sizes.size()), clearing));
+      places.push_back(middle(column, row));
+    }
+  }
+  join_parts(sizes, places, planner);
+}
+
+/// All cells that a robot comes to from there through cells, and how many of them are to be seen.
+std::size_t SearchGrid::fill_part(int column, int row, std::int32_t part, const Clearing& clearing) {
+  // Nothing that has grown so much is missed between two cells.
+  const bool is_sure = clearing.clearance() > 0.75 * std::max(step_along_, step_across_);
+  std::size_t out = 0;
+  std::vector<std::pair<int, int>> open{{column, row}};
+  part_[index(column, row)] = part;
+  while (!open.empty()) {
+    const auto [x, y] = open.back();
+    open.pop_back();
+    out += is_inside_[index(x, y)];
+    constexpr std::array<std::pair<int, int>, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+    for (const auto& [dx, dy] : kBeside) {
+      if (x + dx < 0 || y + dy < 0 || x + dx >= columns_ || y + dy >= rows_) continue;
+      std::int32_t& other = part_[index(x + dx, y + dy)];
+      if (other != -1 || (!is_sure && !clearing.is_free(geom::Segment{middle(x, y), middle(x + dx, y + dy)})))
+        continue;
+      other = part;
+      open.emplace_back(x + dx, y + dy);
+    }
+  }
+  return out;
+}
+
+/// Parts between which ways lead outside of the grid, or through gaps narrower than a cell, are one.
+void SearchGrid::join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
+                            Planner& planner) {
+  std::vector<std::size_t> order;
+  for (std::size_t part = 2; part < sizes.size(); ++part) order.push_back(part);
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t part) { return sizes[part]; });
+  if (order.size() > kMostParts) order.resize(kMostParts);
+  std::vector<std::int32_t> to(sizes.size(), 0);
+  for (const std::size_t part : order) {
+    const bool is_first = part == order.front();
+    if (is_first || planner.find(places[order.front()], places[part])) to[part] = kMain;
+  }
+  for (std::int32_t& part : part_) part = to[static_cast<std::size_t>(part)];
+}
+
+bool SearchGrid::is_rim(int column, int row) const {
+  for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y) {
+    for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x) {
+      if (!may_be_at(index(x, y))) return true;
+    }
+  }
+  return false;
+}
+
+/// What is seen from the cells of robots, and from close to things, where those are too coarse.
+void SearchGrid::enter_edges(const Ground& ground, const Clearing& clearing) {
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      const std::size_t cell = index(column, row);
+      if (!may_be_at(cell)) continue;
+      can_be_seen_[cell] = is_inside_[cell];
+      if (!is_rim(column, row) || is_inside_[cell] == 0) continue;
+      const LanePlace at = place(column, row);
+      each_span(at, at, [&](std::size_t first, std::size_t last) {
+        for (std::size_t one = first; one <= last; ++one) can_be_seen_[one] = is_inside_[one];
+      });
+    }
+  }
+  const double outside = 2.0 * Clearing::kTolerance;
+  for (std::uint32_t round = 0; round < clearing.rounds().size(); ++round) {
+    const auto [center, radius] = clearing.rounds()[round];
+    for (const Arc& arc : clearing.free_arcs(round)) {
+      const double pieces = std::min(1000.0, std::ceil((arc.end - arc.begin) * radius / step_along_));
+      for (double i = 0.0; i <= pieces; ++i) {
+        const double angle = arc.begin + (arc.end - arc.begin) * i / std::max(pieces, 1.0);
+        enter_edge(center + geom::Offset{std::cos(angle), std::sin(angle)} * (radius + outside), clearing);
+      }
+    }
+  }
+  for (const geom::Segment& wall : ground.walls) {
+    const geom::Offset aside = unit(wall.b - wall.a) * (clearing.clearance() + outside);
+    const double pieces = std::min(1000.0, std::ceil(distance(wall.a, wall.b) / step_along_));
+    for (double i = 0.0; i <= pieces; ++i) {
+      const geom::Point at = wall.a + (wall.b - wall.a) * (i / std::max(pieces, 1.0));
+      enter_edge(at + geom::Offset{-aside.y, aside.x}, clearing);
+      enter_edge(at + geom::Offset{aside.y, -aside.x}, clearing);
+    }
+  }
+}
+
+void SearchGrid::enter_edge(geom::Point at, const Clearing& clearing) {
+  if (!may_be_at(at, clearing)) return;
+  on_edges_.push_back(at);
+  const LanePlace p = lanes_.to_lanes(at);
+  each_span(p, p, [&](std::size_t first, std::size_t last) {
+    for (std::size_t one = first; one <= last; ++one) can_be_seen_[one] = is_inside_[one];
+  });
+}
+
+bool SearchGrid::may_be_at(geom::Point at, const Clearing& clearing) const {
+  const LanePlace p = lanes_.to_lanes(at);
+  const double column = std::floor(p.along / step_along_) + margin_columns_;
+  const double row = std::floor(p.across / step_across_) + margin_rows_;
+  if (!(column >= 1 && row >= 1 && column < columns_ - 1 && row < rows_ - 1)) return false;
+  if (!clearing.is_free(at)) return false;
+  for (int y = static_cast<int>(row) - 1; y <= static_cast<int>(row) + 1; ++y) {
+    for (int x = static_cast<int>(column) - 1; x <= static_cast<int>(column) + 1; ++x) {
+      if (may_be_at(index(x, y)) && clearing.is_free(geom::Segment{middle(x, y), at})) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<geom::Point> SearchGrid::lookout(int column, int row) const {
+  const geom::Point here = middle(column, row);
+  std::optional<geom::Point> out;
+  const auto offer = [&](geom::Point at) {
+    if (distance(at, here) <= reach_ && (!out || distance(at, here) < distance(*out, here))) out = at;
+  };
+  const int far_along = margin_columns_ - 1;
+  const int far_across = margin_rows_ - 1;
+  for (int y = std::max(0, row - far_across); y <= std::min(rows_ - 1, row + far_across); ++y) {
+    for (int x = std::max(0, column - far_along); x <= std::min(columns_ - 1, column + far_along); ++x) {
+      if (may_be_at(index(x, y))) offer(middle(x, y));
+    }
+  }
+  for (const geom::Point at : on_edges_) offer(at);
+  return out;
+}
+
+template <class Visit>
+void SearchGrid::each_span(LanePlace a, LanePlace b, Visit&& visit) const {
+  const geom::Offset along = unit(geom::Offset{b.along - a.along, b.across - a.across});
+  const geom::Offset aside = geom::Offset{-along.y, along.x} * reach_;
+  const std::array<LanePlace, 4> corners = {{{a.along + aside.x, a.across + aside.y},
+                                             {b.along + aside.x, b.across + aside.y},
+                                             {b.along - aside.x, b.across - aside.y},
+                                             {a.along - aside.x, a.across - aside.y}}};
+  const double low = (std::min(a.across, b.across) - reach_) / step_across_ + margin_rows_;
+  const double high = (std::max(a.across, b.across) + reach_) / step_across_ + margin_rows_;
+  const int last_row = cell_of(high, rows_);
+  for (int row = cell_of(low, rows_); row <= last_row; ++row) {
+    const double across = place(0, row).across;
+    double from = std::numeric_limits<double>::infinity();
+    double to = -from;
+    for (const LanePlace end : {a, b}) {
+      const double off = across - end.across;
+      if (std::abs(off) > reach_) continue;
+      const double half = std::sqrt(reach_ * reach_ - off * off);
+      from = std::min(from, end.along - half);
+      to = std::max(to, end.along + half);
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const LanePlace& p = corners[i];
+      const LanePlace& q = corners[(i + 1) % corners.size()];
+      if ((p.across <= across) == (q.across <= across)) continue;
+      const double at = p.along + (q.along - p.along) * ((across - p.across) / (q.across - p.across));
+      from = std::min(from, at);
+      to = std::max(to, at);
+    }
+    const double first = std::max(std::ceil(from / step_along_ - 0.5) + margin_columns_, 0.0);
+    const double last = std::min(std::floor(to / step_along_ - 0.5) + margin_columns_, columns_ - 1.0);
+    if (first <= last) visit(index(static_cast<int>(first), row), index(static_cast<int>(last), row));
+  }
+}
+
+void SearchGrid::see(geom::Segment piece, int by) {
+  each_span(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), [&](std::size_t first, std::size_t last) {
+    for (std::size_t cell = first; cell <= last; ++cell) {
+      const bool was_unseen = seen_[cell] == 0;
+      seen_[cell] = static_cast<std::uint16_t>(seen_[cell] + by);
+      if (was_unseen) unseen_ -= can_be_seen_[cell];
+      if (seen_[cell] == 0) unseen_ += can_be_seen_[cell];
+    }
+  });
+}
+
+std::size_t SearchGrid::would_see(geom::Segment piece) const {
+  std::size_t out = 0;
+  each_span(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), [&](std::size_t first, std::size_t last) {
+    for (std::size_t cell = first; cell <= last; ++cell) out += is_unseen(cell) ? 1 : 0;
+  });
+  return out;
+}
+
+}  // namespace mlab::ways

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mlab/ways/clearing.h"
+#include "mlab/ways/lanes.h"
+#include "mlab/ways/planner.h"
+
+/// For sources of this module only.
+namespace mlab::ways {
+
+/// An area as cells in rows along the lanes: which of them are to be seen, which of them can be, where a
+/// robot may be, and how many pieces of a way see each. Lanes run through the middles of cells.
+class SearchGrid {
+ public:
+  static constexpr std::size_t kMostCells = 1'000'000;
+
+  /// Nothing: it would have too many cells.
+  static std::optional<SearchGrid> over(const Lanes& lanes, double swath);
+
+  /// Enters what is to be seen, where a robot may be (in the part of the ground in which it sees most, parts
+  /// between which the planner knows a way being one), and what it can see from there.
+  void enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner);
+
+  const Lanes& lanes() const { return lanes_; }
+  double swath() const { return 2.0 * reach_; }
+  double cell_area() const { return step_along_ * step_across_; }
+  double step() const { return step_along_; }
+  std::size_t to_search() const { return to_search_; }  ///< cells inside of the outline, outside of things
+  std::size_t to_see() const { return to_see_; }        ///< of these that can be seen
+  std::size_t unseen() const { return unseen_; }        ///< of these that aren't yet
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+  geom::Point middle(int column, int row) const { return lanes_.to_world(place(column, row)); }
+  int column_of(LanePlace p) const { return cell_of(p.along / step_along_, columns_); }
+  int row_of(LanePlace p) const { return cell_of(p.across / step_across_, rows_); }
+  /// The row through whose middles a lane runs, and how many rows on either side are its own.
+  int row_of_lane(int lane) const { return margin_rows_ + lane * rows_of_lane_ + rows_of_lane_ / 2; }
+  int rows_beside_lane() const { return rows_of_lane_ / 2; }
+
+  bool can_be_seen(std::size_t cell) const { return can_be_seen_[cell] != 0; }
+  bool is_unseen(std::size_t cell) const { return can_be_seen_[cell] != 0 && seen_[cell] == 0; }
+  bool may_be_at(std::size_t cell) const { return part_[cell] == kMain; }
+  /// Whether a robot comes there from a cell beside it.
+  bool may_be_at(geom::Point at, const Clearing& clearing) const;
+  /// A place from which a cell can be seen, if there is one; the nearest of those that are known.
+  std::optional<geom::Point> lookout(int column, int row) const;
+
+  /// Counts what is seen from a straight piece once more, or, with -1, once less.
+  void see(geom::Segment piece, int by);
+  /// Cells that are seen from there and from nowhere else so far.
+  std::size_t would_see(geom::Segment piece) const;
+
+ private:
+  static constexpr std::int32_t kMain = 1;
+
+  static int cell_of(double at, int count);
+  LanePlace place(int column, int row) const {
+    return {(column - margin_columns_ + 0.5) * step_along_, (row - margin_rows_ + 0.5) * step_across_};
+  }
+  void enter_inside(std::span<const geom::Point> outline);
+  void enter_parts(Planner& planner);
+  std::size_t fill_part(int column, int row, std::int32_t part, const Clearing& clearing);
+  void join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
+                  Planner& planner);
+  void enter_edges(const Ground& ground, const Clearing& clearing);
+  void enter_edge(geom::Point at, const Clearing& clearing);
+  bool is_rim(int column, int row) const;
+  /// visit(first, last): cells in a row whose middles are within reach of the piece.
+  template <class Visit>
+  void each_span(LanePlace a, LanePlace b, Visit&& visit) const;
+
+  Lanes lanes_;
+  double reach_ = 0.0;
+  double step_along_ = 0.0;
+  double step_across_ = 0.0;
+  int columns_ = 0, rows_ = 0;
+  int margin_columns_ = 0, margin_rows_ = 0;
+  int rows_of_lane_ = 1;
+  std::vector<std::uint8_t> is_inside_;
+  std::vector<std::uint8_t> can_be_seen_;
+  std::vector<std::uint16_t> seen_;
+  std::vector<std::int32_t> part_;     // 0: no place for a robot
+  std::vector<geom::Point> on_edges_;  // places for a robot close to things
+  std::size_t to_search_ = 0, to_see_ = 0, unseen_ = 0;
+};
+
+}  // namespace mlab::ways

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <list>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mlab/ways/lane_order.h"
+#include "mlab/ways/planner.h"
+#include "mlab/ways/search_grid.h"
+
+/// For sources of this module only.
+namespace mlab::ways {
+
+/// A way from stop to stop, planned in between, while it is made to see more, or shortened. What it sees is
+/// counted in the grid.
+class SearchRoute {
+ public:
+  /// @param grid, planner  outlive this
+  SearchRoute(SearchGrid& grid, Planner& planner, std::span<const LanePiece> pieces);
+
+  /// Leaves stops out, as long as no more than `most_unseen` cells are unseen, where each metre saved costs
+  /// at most a share `price` of what a metre sees at best.
+  void shorten(double price, std::size_t most_unseen);
+  /// Adds stops until no more than `most_unseen` cells are unseen, where each metre sees at least a share
+  /// `price` of what it sees at best.
+  void complete(double price, std::size_t most_unseen);
+
+  double length() const;
+  /// Stops without those that lie on the straight way from the one before to the next.
+  std::vector<geom::Point> waypoints() const;
+
+ private:
+  /// A planned way.
+  struct Leg {
+    std::vector<geom::Point> corners;
+    double length = 0.0;
+  };
+  struct Stop {
+    geom::Point at;
+    Leg onward;  // to the next one; of the last one: empty
+  };
+  using Place = std::list<Stop>::iterator;
+  /// A stop that may be added in front of another one, and the legs to it and on from it.
+  struct Detour {
+    geom::Point at;
+    Place before;
+    Leg to, from;
+    double extra = 0.0;    // [m]
+    std::size_t gain = 0;  // cells
+  };
+
+  std::optional<Leg> leg(geom::Point a, geom::Point b);
+  void see(const Leg& leg, int by);
+  void see_only_stop(int by);
+  void append(geom::Point at);
+  void append(const LanePiece& piece);
+  bool leave_out(Place stop, double price, std::size_t most_unseen);
+  bool add_for(int column, int row, double price, std::vector<std::uint8_t>& was_tried);
+  std::vector<std::size_t> unseen_round(int column, int row, std::vector<std::uint8_t>& was_tried) const;
+  std::vector<geom::Point> candidates(const std::vector<std::size_t>& cells) const;
+  std::optional<Detour> detour(geom::Point at);
+  void count_gain(Detour& detour);
+  void insert(Detour& detour);
+  geom::Point nearest(geom::Point p) const;
+
+  SearchGrid& grid_;
+  Planner& planner_;
+  std::list<Stop> stops_;
+};
+
+}  // namespace mlab::ways
