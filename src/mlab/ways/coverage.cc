@@ -35,7 +35,7 @@ bool is_usable(std::span<const geom::Point> outline, const Ground& ground, doubl
 /// What is cheap first, and of what is dear no more than must be.
 void improve(SearchRoute& route, std::size_t most_unseen) {
   route.shorten(0.05, SIZE_MAX);
-  for (const double price : {0.5, 0.25, 0.1, 0.03, 0.0}) route.complete(price, most_unseen / 2);
+  route.complete(most_unseen / 2);
   for (const double price : {0.0, 0.05, 0.1, 0.2}) route.shorten(price, most_unseen);
 }
 

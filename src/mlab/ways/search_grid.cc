@@ -41,7 +41,7 @@ std::optional<SearchGrid> SearchGrid::over(const Lanes& lanes, double swath) {
 }
 
 int SearchGrid::cell_of(double at, int count) {
-  return static_cast<int>(std::clamp(std::floor(at), 0.0, static_cast<double>(count - 1)));
+  return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
 }
 
 void SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner) {

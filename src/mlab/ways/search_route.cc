@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <queue>
 #include <utility>
 
 namespace mlab::ways {
@@ -14,8 +15,12 @@ namespace {
 constexpr double kStopEvery = 0.7;
 constexpr double kStopsAtEnds = 0.25;
 constexpr double kTogether = 0.6;
-constexpr std::size_t kPlacesTried = 3;  // in the order, for a new stop
+constexpr std::size_t kPlacesTried = 2;  // in the order, for a new stop
 constexpr int kMostRounds = 6;
+constexpr double kLeastSaved = 1e-6;    // [m]
+constexpr double kLeastDrawnIn = 0.02;  // share of a swath
+constexpr double kDrawnInBy = 0.4;      // share of how far a stop is from the straight way
+constexpr double kStillWorth = 0.95;    // of what the next best is worth
 
 double metres_of(double cells, const SearchGrid& grid) {
   return cells * grid.cell_area() / grid.swath();
@@ -63,7 +68,7 @@ void SearchRoute::append(geom::Point at) {
     see_only_stop(-1);
     stops_.back().onward = std::move(*onward);
   }
-  stops_.push_back({at, {}});
+  stops_.push_back({at, {}, {}});
   see_only_stop(1);
 }
 
@@ -81,74 +86,157 @@ void SearchRoute::append(const LanePiece& piece) {
 }
 
 void SearchRoute::shorten(double price, std::size_t most_unseen) {
+  const Bargain bargain{price, most_unseen};
   bool goes_on = true;
   for (int round = 0; goes_on && round < kMostRounds; ++round) {
     goes_on = false;
     for (auto stop = stops_.begin(); stop != stops_.end();) {
       const auto here = stop++;
-      goes_on |= leave_out(here, price, most_unseen);
+      goes_on |= leave_out(here, bargain) || draw_in(here, bargain);
     }
   }
 }
 
-bool SearchRoute::leave_out(Place stop, double price, std::size_t most_unseen) {
-  if (stops_.size() < 3) return false;
-  const bool is_first = stop == stops_.begin();
-  const bool is_last = std::next(stop) == stops_.end();
-  const auto before = is_first ? stops_.end() : std::prev(stop);
-  double saved = stop->onward.length + (is_first ? 0.0 : before->onward.length);
-  Leg instead;
-  if (!is_first && !is_last) {
-    if (saved - distance(before->at, std::next(stop)->at) < 1e-6) return false;
-    auto found = leg(before->at, std::next(stop)->at);
-    if (!found) return false;
-    instead = std::move(*found);
-  }
-  saved -= instead.length;
-  if (saved < 1e-6) return false;
+/// Sees from some legs and no longer from others, if that is worth it.
+bool SearchRoute::exchange(std::span<const Leg* const> old, std::span<const Leg* const> instead,
+                           const Bargain& bargain) {
+  double saved = 0.0;
+  for (const Leg* leg : old) saved += leg->length;
+  for (const Leg* leg : instead) saved -= leg->length;
+  if (saved < kLeastSaved) return false;
   const std::size_t unseen = grid_.unseen();
-  see(instead, 1);
-  see(stop->onward, -1);
-  if (!is_first) see(before->onward, -1);
+  for (const Leg* leg : instead) see(*leg, 1);
+  for (const Leg* leg : old) see(*leg, -1);
   const double lost = static_cast<double>(grid_.unseen()) - static_cast<double>(unseen);
-  if (lost <= 0.0 || (grid_.unseen() <= most_unseen && metres_of(lost, grid_) <= price * saved)) {
-    if (!is_first) before->onward = std::move(instead);
-    stops_.erase(stop);
+  if (lost <= 0.0 ||
+      (grid_.unseen() <= bargain.most_unseen && metres_of(lost, grid_) <= bargain.price * saved))
     return true;
-  }
-  see(instead, -1);
-  see(stop->onward, 1);
-  if (!is_first) see(before->onward, 1);
+  for (const Leg* leg : old) see(*leg, 1);
+  for (const Leg* leg : instead) see(*leg, -1);
   return false;
 }
 
-void SearchRoute::complete(double price, std::size_t most_unseen) {
-  bool goes_on = true;
-  for (int round = 0; goes_on && round < kMostRounds; ++round) {
-    goes_on = false;
-    std::vector<std::uint8_t> was_tried(static_cast<std::size_t>(grid_.columns()) *
-                                        static_cast<std::size_t>(grid_.rows()));
-    for (int row = 0; row < grid_.rows(); ++row) {
-      for (int column = 0; column < grid_.columns(); ++column) {
-        if (grid_.unseen() <= most_unseen) return;
-        const std::size_t cell = grid_.index(column, row);
-        if (grid_.is_unseen(cell) && was_tried[cell] == 0) goes_on |= add_for(column, row, price, was_tried);
-      }
+/// The way past a stop, as long as neither it nor those beside it change.
+const SearchRoute::Leg* SearchRoute::shortcut(Place stop) {
+  if (stop->shortcut) return &*stop->shortcut;
+  const geom::Point a = std::prev(stop)->at;
+  const geom::Point b = std::next(stop)->at;
+  if (std::prev(stop)->onward.length + stop->onward.length - distance(a, b) < kLeastSaved) return nullptr;
+  stop->shortcut = leg(a, b);
+  return stop->shortcut ? &*stop->shortcut : nullptr;
+}
+
+void SearchRoute::has_changed(Place stop) {
+  if (stop == stops_.end()) return;
+  stop->shortcut.reset();
+  if (stop != stops_.begin()) std::prev(stop)->shortcut.reset();
+  if (std::next(stop) != stops_.end()) std::next(stop)->shortcut.reset();
+}
+
+bool SearchRoute::leave_out(Place stop, const Bargain& bargain) {
+  if (stops_.size() < 3) return false;
+  const auto next = std::next(stop);
+  if (stop == stops_.begin() || next == stops_.end()) {
+    Leg& end = stop == stops_.begin() ? stop->onward : std::prev(stop)->onward;
+    if (!exchange(std::array<const Leg*, 1>{&end}, {}, bargain)) return false;
+    end = {};
+  } else {
+    Leg& before = std::prev(stop)->onward;
+    const Leg* instead = shortcut(stop);
+    if (instead == nullptr || !exchange(std::array<const Leg*, 2>{&before, &stop->onward},
+                                        std::array<const Leg*, 1>{instead}, bargain))
+      return false;
+    before = std::move(*stop->shortcut);
+  }
+  const auto after = stops_.erase(stop);
+  has_changed(after);
+  if (after != stops_.begin()) has_changed(std::prev(after));
+  return true;
+}
+
+/// Moves a stop towards the straight way from the one before to the next.
+bool SearchRoute::draw_in(Place stop, const Bargain& bargain) {
+  const auto next = std::next(stop);
+  if (stop == stops_.begin() || next == stops_.end()) return false;
+  const auto before = std::prev(stop);
+  const geom::Point aim = nearest_point({before->at, next->at}, stop->at);
+  if (distance(aim, stop->at) < kLeastDrawnIn * grid_.swath()) return false;
+  const geom::Point at = stop->at + (aim - stop->at) * kDrawnInBy;
+  if (!planner_.clearing().is_free(at)) return false;
+  auto to = leg(before->at, at);
+  auto from = leg(at, next->at);
+  if (!to || !from) return false;
+  if (!exchange(std::array<const Leg*, 2>{&before->onward, &stop->onward},
+                std::array<const Leg*, 2>{&*to, &*from}, bargain))
+    return false;
+  before->onward = std::move(*to);
+  stop->onward = std::move(*from);
+  stop->at = at;
+  has_changed(stop);
+  return true;
+}
+
+void SearchRoute::complete(std::size_t most_unseen) {
+  for (int round = 0; round < kMostRounds && grid_.unseen() > most_unseen; ++round) {
+    const std::size_t unseen = grid_.unseen();
+    auto patches = unseen_patches(round == 0 ? most_unseen / 2 : 0);
+    add_for(patches, most_unseen);
+    if (grid_.unseen() == unseen) return;
+  }
+}
+
+/// All of them but the smallest, which together have no more cells than that.
+std::vector<SearchRoute::Patch> SearchRoute::unseen_patches(std::size_t left_out) const {
+  std::vector<std::uint8_t> was_met(static_cast<std::size_t>(grid_.columns()) *
+                                    static_cast<std::size_t>(grid_.rows()));
+  std::vector<Patch> out;
+  for (int row = 0; row < grid_.rows(); ++row) {
+    for (int column = 0; column < grid_.columns(); ++column) {
+      const std::size_t cell = grid_.index(column, row);
+      if (grid_.is_unseen(cell) && was_met[cell] == 0) out.push_back(unseen_round(column, row, was_met));
     }
+  }
+  std::ranges::stable_sort(out, std::greater<>(), &Patch::size);
+  for (std::size_t gone = 0; !out.empty() && gone + out.back().size() <= left_out; out.pop_back())
+    gone += out.back().size();
+  return out;
+}
+
+/// The best bargain first; looked at once more when its turn comes, as others have changed the way since.
+void SearchRoute::add_for(std::vector<Patch>& patches, std::size_t most_unseen) {
+  using Offer = std::pair<double, std::size_t>;  // what it is worth, and its patch, later ones behind
+  std::priority_queue<Offer> offers;
+  const auto offer = [&](std::size_t patch) {
+    if (const auto one = best_detour(patches[patch])) offers.emplace(one->worth(), patches.size() - patch);
+  };
+  for (std::size_t patch = 0; patch < patches.size(); ++patch) offer(patch);
+  while (!offers.empty() && grid_.unseen() > most_unseen) {
+    const std::size_t patch = patches.size() - offers.top().second;
+    offers.pop();
+    std::erase_if(patches[patch], [&](std::size_t cell) { return !grid_.is_unseen(cell); });
+    if (patches[patch].empty()) continue;
+    auto one = best_detour(patches[patch]);
+    if (!one) continue;
+    if (!offers.empty() && one->worth() < kStillWorth * offers.top().first) {
+      offers.emplace(one->worth(), patches.size() - patch);
+      continue;
+    }
+    insert(*one);
+    std::erase_if(patches[patch], [&](std::size_t cell) { return !grid_.is_unseen(cell); });
+    if (!patches[patch].empty()) offer(patch);
   }
 }
 
 /// Those that hang together with a cell, and aren't far from it.
-std::vector<std::size_t> SearchRoute::unseen_round(int column, int row,
-                                                   std::vector<std::uint8_t>& was_tried) const {
+SearchRoute::Patch SearchRoute::unseen_round(int column, int row, std::vector<std::uint8_t>& was_met) const {
   const geom::Point first = grid_.middle(column, row);
-  std::vector<std::size_t> out;
+  Patch out;
   const auto add = [&](int x, int y) {
     if (x < 0 || y < 0 || x >= grid_.columns() || y >= grid_.rows()) return;
     const std::size_t cell = grid_.index(x, y);
-    if (was_tried[cell] != 0 || !grid_.is_unseen(cell)) return;
+    if (was_met[cell] != 0 || !grid_.is_unseen(cell)) return;
     if (distance(grid_.middle(x, y), first) > kTogether * grid_.swath()) return;
-    was_tried[cell] = 1;
+    was_met[cell] = 1;
     out.push_back(cell);
   };
   add(column, row);
@@ -164,10 +252,14 @@ std::vector<std::size_t> SearchRoute::unseen_round(int column, int row,
 
 geom::Point SearchRoute::nearest(geom::Point p) const {
   geom::Point out = stops_.front().at;
+  double least = distance(out, p);
   for (const Stop& stop : stops_) {
+    if (distance(stop.at, p) - stop.onward.length >= least) continue;
     for (std::size_t i = 1; i < stop.onward.corners.size(); ++i) {
       const geom::Point at = nearest_point({stop.onward.corners[i - 1], stop.onward.corners[i]}, p);
-      if (distance(at, p) < distance(out, p)) out = at;
+      if (distance(at, p) >= least) continue;
+      least = distance(at, p);
+      out = at;
     }
   }
   return out;
@@ -175,43 +267,35 @@ geom::Point SearchRoute::nearest(geom::Point p) const {
 
 /// Places from which some of the cells are seen: between their middle and the way as it is, and where it must
 /// be.
-std::vector<geom::Point> SearchRoute::candidates(const std::vector<std::size_t>& cells) const {
-  geom::Offset sum;
-  const geom::Point origin = grid_.lanes().origin;
+std::vector<geom::Point> SearchRoute::candidates(const Patch& cells) const {
   const auto columns = static_cast<std::size_t>(grid_.columns());
-  const auto middle = [&](std::size_t cell) {
-    return grid_.middle(static_cast<int>(cell % columns), static_cast<int>(cell / columns));
-  };
-  for (const std::size_t cell : cells) sum = sum + (middle(cell) - origin);
+  const auto column = [&](std::size_t cell) { return static_cast<int>(cell % columns); };
+  const auto row = [&](std::size_t cell) { return static_cast<int>(cell / columns); };
+  const geom::Point origin = grid_.lanes().origin;
+  geom::Offset sum;
+  for (const std::size_t cell : cells) sum = sum + (grid_.middle(column(cell), row(cell)) - origin);
   const geom::Point center = origin + sum * (1.0 / static_cast<double>(cells.size()));
   const geom::Point from = nearest(center);
+  const Clearing& clearing = planner_.clearing();
   std::vector<geom::Point> out;
-  for (const double share : {0.3, 0.5, 0.75, 1.0}) {
-    const auto at = planner_.clearing().nearest_free(from + (center - from) * share);
-    if (at && grid_.may_be_at(*at, planner_.clearing())) out.push_back(*at);
+  for (const double share : {0.35, 0.65, 1.0}) {
+    const auto at = clearing.nearest_free(from + (center - from) * share);
+    if (at && std::ranges::find(out, *at) == out.end() && grid_.may_be_at(*at, clearing)) out.push_back(*at);
   }
-  const auto columns_int = grid_.columns();
-  const int first = static_cast<int>(cells.front() % columns);
-  const int row = static_cast<int>(cells.front()) / columns_int;
-  if (out.empty()) {
-    if (const auto at = grid_.lookout(first, row)) out.push_back(*at);
-  }
+  if (!out.empty()) return out;
+  if (const auto at = grid_.lookout(column(cells.front()), row(cells.front()))) out.push_back(*at);
   return out;
 }
 
-bool SearchRoute::add_for(int column, int row, double price, std::vector<std::uint8_t>& was_tried) {
-  const auto cells = unseen_round(column, row, was_tried);
+std::optional<SearchRoute::Detour> SearchRoute::best_detour(const Patch& cells) {
   std::optional<Detour> best;
-  const auto worth = [](const Detour& one) { return static_cast<double>(one.gain) / (one.extra + 1e-6); };
   for (const geom::Point at : candidates(cells)) {
     auto one = detour(at);
     if (!one) continue;
     count_gain(*one);
-    if (one->gain > 0 && (!best || worth(*one) > worth(*best))) best = std::move(one);
+    if (one->gain > 0 && (!best || one->worth() > best->worth())) best = std::move(one);
   }
-  if (!best || metres_of(static_cast<double>(best->gain), grid_) < price * best->extra) return false;
-  insert(*best);
-  return true;
+  return best;
 }
 
 /// The shortest one to a place.
@@ -270,7 +354,7 @@ void SearchRoute::insert(Detour& detour) {
     see(std::prev(detour.before)->onward, -1);
     std::prev(detour.before)->onward = std::move(detour.to);
   }
-  stops_.insert(detour.before, {detour.at, std::move(detour.from)});
+  has_changed(stops_.insert(detour.before, {detour.at, std::move(detour.from), {}}));
 }
 
 double SearchRoute::length() const {

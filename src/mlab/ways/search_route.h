@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <list>
 #include <optional>
 #include <span>
@@ -22,9 +23,8 @@ class SearchRoute {
   /// Leaves stops out, as long as no more than `most_unseen` cells are unseen, where each metre saved costs
   /// at most a share `price` of what a metre sees at best.
   void shorten(double price, std::size_t most_unseen);
-  /// Adds stops until no more than `most_unseen` cells are unseen, where each metre sees at least a share
-  /// `price` of what it sees at best.
-  void complete(double price, std::size_t most_unseen);
+  /// Adds stops until no more than `most_unseen` cells are unseen, those first that see most for each metre.
+  void complete(std::size_t most_unseen);
 
   double length() const;
   /// Stops without those that lie on the straight way from the one before to the next.
@@ -38,9 +38,17 @@ class SearchRoute {
   };
   struct Stop {
     geom::Point at;
-    Leg onward;  // to the next one; of the last one: empty
+    Leg onward;                   // to the next one; of the last one: empty
+    std::optional<Leg> shortcut;  // from the one before to the next, once that was planned
   };
   using Place = std::list<Stop>::iterator;
+  /// What may be given for a metre, and how many cells may be unseen then.
+  struct Bargain {
+    double price;
+    std::size_t most_unseen;
+  };
+  /// Unseen cells that hang together.
+  using Patch = std::vector<std::size_t>;
   /// A stop that may be added in front of another one, and the legs to it and on from it.
   struct Detour {
     geom::Point at;
@@ -48,6 +56,8 @@ class SearchRoute {
     Leg to, from;
     double extra = 0.0;    // [m]
     std::size_t gain = 0;  // cells
+
+    double worth() const { return static_cast<double>(gain) / (std::max(extra, 0.0) + 1e-3); }
   };
 
   std::optional<Leg> leg(geom::Point a, geom::Point b);
@@ -55,10 +65,16 @@ class SearchRoute {
   void see_only_stop(int by);
   void append(geom::Point at);
   void append(const LanePiece& piece);
-  bool leave_out(Place stop, double price, std::size_t most_unseen);
-  bool add_for(int column, int row, double price, std::vector<std::uint8_t>& was_tried);
-  std::vector<std::size_t> unseen_round(int column, int row, std::vector<std::uint8_t>& was_tried) const;
-  std::vector<geom::Point> candidates(const std::vector<std::size_t>& cells) const;
+  bool exchange(std::span<const Leg* const> old, std::span<const Leg* const> instead, const Bargain& bargain);
+  const Leg* shortcut(Place stop);
+  void has_changed(Place stop);
+  bool leave_out(Place stop, const Bargain& bargain);
+  bool draw_in(Place stop, const Bargain& bargain);
+  std::vector<Patch> unseen_patches(std::size_t left_out) const;
+  Patch unseen_round(int column, int row, std::vector<std::uint8_t>& was_met) const;
+  void add_for(std::vector<Patch>& patches, std::size_t most_unseen);
+  std::vector<geom::Point> candidates(const Patch& cells) const;
+  std::optional<Detour> best_detour(const Patch& cells);
   std::optional<Detour> detour(geom::Point at);
   void count_gain(Detour& detour);
   void insert(Detour& detour);
