@@ -36,7 +36,7 @@ bool is_usable(std::span<const geom::Point> outline, const Ground& ground, doubl
 void improve(SearchRoute& route, std::size_t most_unseen) {
   route.shorten(0.05, SIZE_MAX);
   route.complete(most_unseen / 2);
-  for (const double price : {0.0, 0.05, 0.1, 0.2}) route.shorten(price, most_unseen);
+  for (const double price : {0.05, 0.2}) route.shorten(price, most_unseen);
 }
 
 }  // namespace

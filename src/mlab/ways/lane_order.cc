@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace mlab::ways {
@@ -13,7 +13,7 @@ namespace {
 // there.
 constexpr double kDrawnIn = 0.2;
 constexpr double kNarrowGap = 2.5;
-constexpr std::size_t kWindow = 100;   // of the order, in which it is improved
+constexpr std::size_t kWindow = 60;    // of the order, in which it is improved
 constexpr std::size_t kMostMoved = 3;  // pieces at once
 constexpr int kMostImprovements = 12;  // times that all of the order is gone through
 
@@ -148,7 +148,8 @@ class LaneOrder {
 
   /// Of the way between two ends [m].
   double way(PieceEnd a, PieceEnd b) {
-    const auto [known, is_new] = ways_.try_emplace(std::minmax(a, b), 0.0);
+    const auto key = (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | std::max(a, b);
+    const auto [known, is_new] = ways_.try_emplace(key, 0.0);
     if (is_new) {
       const auto found = planner_.find(place(a), place(b));
       known->second = found ? found->length : std::numeric_limits<double>::infinity();
@@ -242,7 +243,7 @@ class LaneOrder {
   std::vector<Stretch> stretches_;
   std::vector<LaneCell> cells_;
   std::vector<PieceEnd> order_;
-  std::map<std::pair<PieceEnd, PieceEnd>, double> ways_;
+  std::unordered_map<std::uint64_t, double> ways_;
 };
 
 }  // namespace

@@ -7,9 +7,9 @@
 namespace mlab::ways {
 namespace {
 
-constexpr double kFine = 0.05;           // a cell is no smaller than this share of a swath
+constexpr double kFine = 0.025;          // a cell is no smaller than this share of a swath
 constexpr double kCoarse = 0.2;          // and no larger
-constexpr double kUsualCells = 150'000;  // in between, so that there are about so many
+constexpr double kUsualCells = 300'000;  // in between, so that there are about so many
 constexpr std::size_t kMostParts = 64;   // of the ground that are joined, the largest ones
 
 }  // namespace
@@ -269,22 +269,16 @@ void SearchGrid::each_span(LanePlace a, LanePlace b, Visit&& visit) const {
 }
 
 void SearchGrid::see(geom::Segment piece, int by) {
+  int less = 0;
   each_span(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), [&](std::size_t first, std::size_t last) {
     for (std::size_t cell = first; cell <= last; ++cell) {
-      const bool was_unseen = seen_[cell] == 0;
-      seen_[cell] = static_cast<std::uint16_t>(seen_[cell] + by);
-      if (was_unseen) unseen_ -= can_be_seen_[cell];
-      if (seen_[cell] == 0) unseen_ += can_be_seen_[cell];
+      const std::uint16_t before = seen_[cell];
+      const auto after = static_cast<std::uint16_t>(before + by);
+      seen_[cell] = after;
+      less += can_be_seen_[cell] * (static_cast<int>(before == 0) - static_cast<int>(after == 0));
     }
   });
-}
-
-std::size_t SearchGrid::would_see(geom::Segment piece) const {
-  std::size_t out = 0;
-  each_span(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), [&](std::size_t first, std::size_t last) {
-    for (std::size_t cell = first; cell <= last; ++cell) out += is_unseen(cell) ? 1 : 0;
-  });
-  return out;
+  unseen_ -= static_cast<std::size_t>(less);
 }
 
 }  // namespace mlab::ways

@@ -58,8 +58,6 @@ class SearchGrid {
 
   /// Counts what is seen from a straight piece once more, or, with -1, once less.
   void see(geom::Segment piece, int by);
-  /// Cells that are seen from there and from nowhere else so far.
-  std::size_t would_see(geom::Segment piece) const;
 
  private:
   static constexpr std::int32_t kMain = 1;
@@ -88,7 +86,7 @@ class SearchGrid {
   int margin_columns_ = 0, margin_rows_ = 0;
   int rows_of_lane_ = 1;
   std::vector<std::uint8_t> is_inside_;
-  std::vector<std::uint8_t> can_be_seen_;
+  std::vector<std::uint16_t> can_be_seen_;  // as wide as what is counted: faster
   std::vector<std::uint16_t> seen_;
   std::vector<std::int32_t> part_;     // 0: no place for a robot
   std::vector<geom::Point> on_edges_;  // places for a robot close to things

@@ -68,7 +68,7 @@ void SearchRoute::append(geom::Point at) {
     see_only_stop(-1);
     stops_.back().onward = std::move(*onward);
   }
-  stops_.push_back({at, {}, {}});
+  stops_.push_back({at, {}});
   see_only_stop(1);
 }
 
@@ -92,6 +92,9 @@ void SearchRoute::shorten(double price, std::size_t most_unseen) {
     goes_on = false;
     for (auto stop = stops_.begin(); stop != stops_.end();) {
       const auto here = stop++;
+      // What wasn't worth it isn't now that less is seen.
+      if (here->refused >= price) continue;
+      here->refused = price;
       goes_on |= leave_out(here, bargain) || draw_in(here, bargain);
     }
   }
@@ -127,10 +130,14 @@ const SearchRoute::Leg* SearchRoute::shortcut(Place stop) {
 }
 
 void SearchRoute::has_changed(Place stop) {
+  const auto forget = [](Stop& one) {
+    one.shortcut.reset();
+    one.refused = Stop::kNotYet;
+  };
   if (stop == stops_.end()) return;
-  stop->shortcut.reset();
-  if (stop != stops_.begin()) std::prev(stop)->shortcut.reset();
-  if (std::next(stop) != stops_.end()) std::next(stop)->shortcut.reset();
+  forget(*stop);
+  if (stop != stops_.begin()) forget(*std::prev(stop));
+  if (std::next(stop) != stops_.end()) forget(*std::next(stop));
 }
 
 bool SearchRoute::leave_out(Place stop, const Bargain& bargain) {
@@ -162,15 +169,17 @@ bool SearchRoute::draw_in(Place stop, const Bargain& bargain) {
   const geom::Point aim = nearest_point({before->at, next->at}, stop->at);
   if (distance(aim, stop->at) < kLeastDrawnIn * grid_.swath()) return false;
   const geom::Point at = stop->at + (aim - stop->at) * kDrawnInBy;
-  if (!planner_.clearing().is_free(at)) return false;
-  auto to = leg(before->at, at);
-  auto from = leg(at, next->at);
-  if (!to || !from) return false;
-  if (!exchange(std::array<const Leg*, 2>{&before->onward, &stop->onward},
-                std::array<const Leg*, 2>{&*to, &*from}, bargain))
+  const auto straight = [&](geom::Point a, geom::Point b) { return Leg{{a, b}, distance(a, b)}; };
+  Leg to = straight(before->at, at);
+  Leg from = straight(at, next->at);
+  const Clearing& clearing = planner_.clearing();
+  if (!clearing.is_free(geom::Segment{before->at, at}) || !clearing.is_free(geom::Segment{at, next->at}))
     return false;
-  before->onward = std::move(*to);
-  stop->onward = std::move(*from);
+  if (!exchange(std::array<const Leg*, 2>{&before->onward, &stop->onward},
+                std::array<const Leg*, 2>{&to, &from}, bargain))
+    return false;
+  before->onward = std::move(to);
+  stop->onward = std::move(from);
   stop->at = at;
   has_changed(stop);
   return true;
@@ -307,12 +316,13 @@ std::optional<SearchRoute::Detour> SearchRoute::detour(geom::Point at) {
     const auto after = std::ranges::upper_bound(places, extra, {}, [](const auto& one) { return one.first; });
     places.insert(after, {extra, before});
   };
+  double from_before = 0.0;  // to there, less the leg instead of which it would be
   for (auto stop = stops_.begin(); stop != stops_.end(); ++stop) {
-    double extra = distance(at, stop->at);
-    if (stop != stops_.begin()) extra += distance(at, std::prev(stop)->at) - std::prev(stop)->onward.length;
-    offer(extra, stop);
+    const double here = distance(at, stop->at);
+    offer(from_before + here, stop);
+    from_before = here - stop->onward.length;
   }
-  offer(distance(at, stops_.back().at), stops_.end());
+  offer(from_before, stops_.end());
   std::optional<Detour> out;
   for (const auto& [least, before] : places) {
     if (out && least >= out->extra) break;
@@ -354,7 +364,7 @@ void SearchRoute::insert(Detour& detour) {
     see(std::prev(detour.before)->onward, -1);
     std::prev(detour.before)->onward = std::move(detour.to);
   }
-  has_changed(stops_.insert(detour.before, {detour.at, std::move(detour.from), {}}));
+  has_changed(stops_.insert(detour.before, {detour.at, std::move(detour.from)}));
 }
 
 double SearchRoute::length() const {

@@ -38,8 +38,11 @@ class SearchRoute {
   };
   struct Stop {
     geom::Point at;
-    Leg onward;                   // to the next one; of the last one: empty
-    std::optional<Leg> shortcut;  // from the one before to the next, once that was planned
+    Leg onward;                        // to the next one; of the last one: empty
+    std::optional<Leg> shortcut = {};  // from the one before to the next, once that was planned
+    double refused = kNotYet;          // the highest price at which nothing could be saved here
+
+    static constexpr double kNotYet = -1.0;
   };
   using Place = std::list<Stop>::iterator;
   /// What may be given for a metre, and how many cells may be unseen then.
