@@ -10,7 +10,7 @@ namespace mlab::ways {
 namespace {
 
 // What is told by cells is a little more or less; so somewhat more is seen than is wanted.
-constexpr double kUnseen = 0.7 * (1.0 - Coverage::kWanted);
+constexpr double kUnseen = 0.75 * (1.0 - Coverage::kWanted);
 
 Coverage none(CoverageEnd end) {
   Coverage out;

@@ -12,6 +12,8 @@ constexpr std::size_t kMostSides = 32;  // of an outline, the longest ones, that
 constexpr int kOtherDirections = 16;    // that are tried besides
 // Lanes end so far inside of the outline, on either side: a share of the swath.
 constexpr double kEndsInside = 0.5;
+// Than along longer sides, which come first: what is told is rough.
+constexpr double kClearlyShorter = 0.98;
 
 /// Directions worth trying: the fewest lanes lie along a side of the convex hull.
 std::vector<geom::Offset> directions_of(std::span<const geom::Point> outline) {
@@ -22,7 +24,7 @@ std::vector<geom::Offset> directions_of(std::span<const geom::Point> outline) {
   if (sides.size() > kMostSides) sides.resize(kMostSides);
   std::vector<geom::Offset> out;
   for (const geom::Offset side : sides) {
-    if (length(side) > 0.0) out.push_back(unit(side));
+    if (length(side) > 0.0 && std::isfinite(length(side))) out.push_back(unit(side));
   }
   for (int i = 0; i < kOtherDirections; ++i) {
     const double angle = std::numbers::pi * i / kOtherDirections;
@@ -55,26 +57,47 @@ std::optional<Lanes> lanes_along(geom::Offset direction, std::span<const geom::P
   return out;
 }
 
-/// How long it is on all lanes, and from each piece of one to the next, were nothing on the ground [m].
-double length_of(const Lanes& lanes, std::span<const geom::Point> outline, double swath) {
-  std::vector<std::vector<double>> crossings(static_cast<std::size_t>(lanes.count));
+/// Where lines meet the outline, from low to high: the lanes, and those in the middle between two of them.
+std::vector<std::vector<double>> crossings(const Lanes& lanes, std::span<const geom::Point> outline) {
+  const double spacing = 0.5 * lanes.spacing;
+  const double lines = 2.0 * lanes.count + 1.0;
+  std::vector<std::vector<double>> out(static_cast<std::size_t>(lines));
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const LanePlace a = lanes.to_lanes(outline[i]);
     const LanePlace b = lanes.to_lanes(outline[(i + 1) % outline.size()]);
-    const auto lane_above = [&](double across) {
-      return static_cast<int>(std::clamp(std::ceil(across / lanes.spacing - 0.5), 0.0, 1.0 * lanes.count));
+    const auto line_above = [&](double across) {
+      return static_cast<std::size_t>(std::clamp(std::ceil(across / spacing), 0.0, lines));
     };
-    const int last = lane_above(std::max(a.across, b.across));
-    for (int lane = lane_above(std::min(a.across, b.across)); lane < last; ++lane) {
-      const double share = ((lane + 0.5) * lanes.spacing - a.across) / (b.across - a.across);
-      crossings[static_cast<std::size_t>(lane)].push_back(a.along + share * (b.along - a.along));
+    const std::size_t last = line_above(std::max(a.across, b.across));
+    for (std::size_t line = line_above(std::min(a.across, b.across)); line < last; ++line) {
+      const double share = (static_cast<double>(line) * spacing - a.across) / (b.across - a.across);
+      out[line].push_back(a.along + share * (b.along - a.along));
     }
   }
+  for (std::vector<double>& line : out) std::ranges::sort(line);
+  return out;
+}
+
+/// How long it is on all lanes, and from each piece of one to the next, were nothing on the ground [m].
+double length_of(const Lanes& lanes, std::span<const geom::Point> outline, double swath) {
+  const auto lines = crossings(lanes, outline);
   double out = 0.0;
-  for (std::vector<double>& lane : crossings) {
-    std::ranges::sort(lane);
-    for (std::size_t i = 0; i + 1 < lane.size(); i += 2)
-      out += std::max(0.0, lane[i + 1] - lane[i] - 2.0 * kEndsInside * swath) + swath;
+  std::optional<double> middle_before;
+  for (std::size_t lane = 1; lane < lines.size(); lane += 2) {
+    if (lines[lane].empty()) continue;
+    double from = lines[lane].front();  // the least, and the most, that it must see
+    double to = lines[lane].back();
+    for (const auto& beside : {lines[lane - 1], lines[lane + 1]}) {
+      if (beside.empty()) continue;
+      from = std::min(from, beside.front());
+      to = std::max(to, beside.back());
+    }
+    out += std::max(0.0, to - from - 2.0 * kEndsInside * swath);
+    for (std::size_t i = 1; i + 1 < lines[lane].size(); i += 2)
+      out += swath - (lines[lane][i + 1] - lines[lane][i]);
+    const double middle = 0.5 * (from + to);
+    if (middle_before) out += length(geom::Offset{middle - *middle_before, lanes.spacing});
+    middle_before = middle;
   }
   return out;
 }
@@ -88,7 +111,7 @@ std::optional<Lanes> shortest_lanes(std::span<const geom::Point> outline, double
     const auto lanes = lanes_along(direction, outline, swath, most);
     if (!lanes) continue;
     const double length = length_of(*lanes, outline, swath);
-    if (out && !(length < shortest * (1.0 - 1e-9))) continue;
+    if (out && !(length < kClearlyShorter * shortest)) continue;
     out = lanes;
     shortest = length;
   }

@@ -23,7 +23,8 @@ std::optional<SearchGrid> SearchGrid::over(const Lanes& lanes, double swath) {
   const double step = std::clamp(wanted, kFine * swath, kCoarse * swath);
   out.rows_of_lane_ = 2 * static_cast<int>(std::ceil(0.5 * (lanes.spacing / step - 1.0))) + 1;
   out.step_across_ = lanes.spacing / out.rows_of_lane_;
-  const double columns = std::ceil(lanes.length / step);
+  // Odd as well, so that what is smaller than a cell holds the middle of one.
+  const double columns = 2.0 * std::ceil(0.5 * (lanes.length / step - 1.0)) + 1.0;
   if (!(columns < static_cast<double>(kMostCells))) return std::nullopt;
   out.step_along_ = lanes.length / columns;
   out.margin_columns_ = static_cast<int>(std::ceil(out.reach_ / out.step_along_)) + 1;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -12,15 +11,16 @@
 
 namespace mlab::ways::testing {
 
-/// By the winding of the outline round it.
+/// By the sides of the outline that lie to the right of it.
 inline bool is_inside(std::span<const geom::Point> outline, geom::Point p) {
-  double turned = 0.0;
+  bool out = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const geom::Offset a = outline[i] - p;
-    const geom::Offset b = outline[(i + 1) % outline.size()] - p;
-    turned += std::atan2(cross(a, b), dot(a, b));
+    const geom::Point a = outline[i];
+    const geom::Point b = outline[(i + 1) % outline.size()];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) out = !out;
   }
-  return std::abs(turned) > std::numbers::pi;
+  return out;
 }
 
 /// What a way really sees, told by looking at places close together on a square [0, side].
@@ -72,7 +72,8 @@ class SeenPlaces {
  private:
   geom::Point place(std::size_t i) const {
     const auto columns = static_cast<std::size_t>(count_);
-    return {(static_cast<double>(i % columns) + 0.5) * step_, (static_cast<double>(i / columns) + 0.5) * step_};
+    return {(static_cast<double>(i % columns) + 0.5) * step_,
+            (static_cast<double>(i / columns) + 0.5) * step_};
   }
 
   template <class Visit>
