@@ -10,7 +10,7 @@ namespace mlab::ways {
 namespace {
 
 // What is told by cells is a little more or less; so somewhat more is seen than is wanted.
-constexpr double kUnseen = 0.75 * (1.0 - Coverage::kWanted);
+constexpr double kUnseen = 0.9 * (1.0 - Coverage::kWanted);
 
 Coverage none(CoverageEnd end) {
   Coverage out;
@@ -54,7 +54,7 @@ Coverage coverage_route(std::span<const geom::Point> outline, const Ground& grou
   out.free_area = static_cast<double>(grid->to_search()) * grid->cell_area();
   if (grid->to_see() == 0) return out;
   const auto to_see = static_cast<double>(grid->to_see());
-  out.visible = to_see / static_cast<double>(grid->to_search());
+  out.visible = static_cast<double>(grid->visible()) / static_cast<double>(grid->to_search());
   const auto pieces = lane_pieces_in_order(*grid, planner);
   SearchRoute route(*grid, planner, pieces);
   const auto most_unseen = static_cast<std::size_t>(kUnseen * to_see);

@@ -10,14 +10,15 @@ namespace {
 constexpr double kFine = 0.025;          // a cell is no smaller than this share of a swath
 constexpr double kCoarse = 0.2;          // and no larger
 constexpr double kUsualCells = 300'000;  // in between, so that there are about so many
-constexpr std::size_t kMostParts = 64;   // of the ground that are joined, the largest ones
+constexpr double kUnsure = 0.25;  // of a cell, that is not counted on: what its middle is, isn't all of it
+constexpr std::size_t kMostParts = 64;  // of the ground that are joined, the largest ones
 
 }  // namespace
 
 std::optional<SearchGrid> SearchGrid::over(const Lanes& lanes, double swath) {
   SearchGrid out;
   out.lanes_ = lanes;
-  out.reach_ = 0.5 * swath;
+  out.swath_ = swath;
   const double width = lanes.spacing * lanes.count;
   const double wanted = std::sqrt(lanes.length * width / kUsualCells);
   const double step = std::clamp(wanted, kFine * swath, kCoarse * swath);
@@ -27,14 +28,16 @@ std::optional<SearchGrid> SearchGrid::over(const Lanes& lanes, double swath) {
   const double columns = 2.0 * std::ceil(0.5 * (lanes.length / step - 1.0)) + 1.0;
   if (!(columns < static_cast<double>(kMostCells))) return std::nullopt;
   out.step_along_ = lanes.length / columns;
-  out.margin_columns_ = static_cast<int>(std::ceil(out.reach_ / out.step_along_)) + 1;
-  out.margin_rows_ = static_cast<int>(std::ceil(out.reach_ / out.step_across_)) + 1;
+  out.reach_ = 0.5 * swath - kUnsure * std::max(out.step_along_, out.step_across_);
+  out.margin_columns_ = static_cast<int>(std::ceil(0.5 * swath / out.step_along_)) + 1;
+  out.margin_rows_ = static_cast<int>(std::ceil(0.5 * swath / out.step_across_)) + 1;
   out.columns_ = static_cast<int>(columns) + 2 * out.margin_columns_;
   out.rows_ = out.rows_of_lane_ * lanes.count + 2 * out.margin_rows_;
   const double cells = 1.0 * out.columns_ * out.rows_;
   if (!(cells <= static_cast<double>(kMostCells))) return std::nullopt;
   const auto count = static_cast<std::size_t>(cells);
   out.is_inside_.assign(count, 0);
+  out.is_visible_.assign(count, 0);
   out.can_be_seen_.assign(count, 0);
   out.seen_.assign(count, 0);
   out.part_.assign(count, 0);
@@ -58,6 +61,7 @@ void SearchGrid::enter(std::span<const geom::Point> outline, const Ground& groun
   if (to_search_ == 0) return;
   enter_parts(planner);
   enter_edges(ground, planner.clearing());
+  visible_ = static_cast<std::size_t>(std::ranges::count(is_visible_, 1));
   unseen_ = to_see_ = static_cast<std::size_t>(std::ranges::count(can_be_seen_, 1));
 }
 
@@ -163,12 +167,9 @@ void SearchGrid::enter_edges(const Ground& ground, const Clearing& clearing) {
     for (int column = 0; column < columns_; ++column) {
       const std::size_t cell = index(column, row);
       if (!may_be_at(cell)) continue;
+      if (is_rim(column, row)) look_from(place(column, row));
       can_be_seen_[cell] = is_inside_[cell];
-      if (!is_rim(column, row) || is_inside_[cell] == 0) continue;
-      const LanePlace at = place(column, row);
-      each_span(at, at, [&](std::size_t first, std::size_t last) {
-        for (std::size_t one = first; one <= last; ++one) can_be_seen_[one] = is_inside_[one];
-      });
+      is_visible_[cell] = is_inside_[cell];
     }
   }
   const double outside = 2.0 * Clearing::kTolerance;
@@ -196,9 +197,15 @@ void SearchGrid::enter_edges(const Ground& ground, const Clearing& clearing) {
 void SearchGrid::enter_edge(geom::Point at, const Clearing& clearing) {
   if (!may_be_at(at, clearing)) return;
   on_edges_.push_back(at);
-  const LanePlace p = lanes_.to_lanes(at);
-  each_span(p, p, [&](std::size_t first, std::size_t last) {
+  look_from(lanes_.to_lanes(at));
+}
+
+void SearchGrid::look_from(LanePlace at) {
+  each_span(at, at, reach_, [&](std::size_t first, std::size_t last) {
     for (std::size_t one = first; one <= last; ++one) can_be_seen_[one] = is_inside_[one];
+  });
+  each_span(at, at, 0.5 * swath_, [&](std::size_t first, std::size_t last) {
+    for (std::size_t one = first; one <= last; ++one) is_visible_[one] = is_inside_[one];
   });
 }
 
@@ -234,15 +241,15 @@ std::optional<geom::Point> SearchGrid::lookout(int column, int row) const {
 }
 
 template <class Visit>
-void SearchGrid::each_span(LanePlace a, LanePlace b, Visit&& visit) const {
+void SearchGrid::each_span(LanePlace a, LanePlace b, double reach, Visit&& visit) const {
   const geom::Offset along = unit(geom::Offset{b.along - a.along, b.across - a.across});
-  const geom::Offset aside = geom::Offset{-along.y, along.x} * reach_;
+  const geom::Offset aside = geom::Offset{-along.y, along.x} * reach;
   const std::array<LanePlace, 4> corners = {{{a.along + aside.x, a.across + aside.y},
                                              {b.along + aside.x, b.across + aside.y},
                                              {b.along - aside.x, b.across - aside.y},
                                              {a.along - aside.x, a.across - aside.y}}};
-  const double low = (std::min(a.across, b.across) - reach_) / step_across_ + margin_rows_;
-  const double high = (std::max(a.across, b.across) + reach_) / step_across_ + margin_rows_;
+  const double low = (std::min(a.across, b.across) - reach) / step_across_ + margin_rows_;
+  const double high = (std::max(a.across, b.across) + reach) / step_across_ + margin_rows_;
   const int last_row = cell_of(high, rows_);
   for (int row = cell_of(low, rows_); row <= last_row; ++row) {
     const double across = place(0, row).across;
@@ -250,8 +257,8 @@ void SearchGrid::each_span(LanePlace a, LanePlace b, Visit&& visit) const {
     double to = -from;
     for (const LanePlace end : {a, b}) {
       const double off = across - end.across;
-      if (std::abs(off) > reach_) continue;
-      const double half = std::sqrt(reach_ * reach_ - off * off);
+      if (std::abs(off) > reach) continue;
+      const double half = std::sqrt(reach * reach - off * off);
       from = std::min(from, end.along - half);
       to = std::max(to, end.along + half);
     }
@@ -271,14 +278,15 @@ void SearchGrid::each_span(LanePlace a, LanePlace b, Visit&& visit) const {
 
 void SearchGrid::see(geom::Segment piece, int by) {
   int less = 0;
-  each_span(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), [&](std::size_t first, std::size_t last) {
-    for (std::size_t cell = first; cell <= last; ++cell) {
-      const std::uint16_t before = seen_[cell];
-      const auto after = static_cast<std::uint16_t>(before + by);
-      seen_[cell] = after;
-      less += can_be_seen_[cell] * (static_cast<int>(before == 0) - static_cast<int>(after == 0));
-    }
-  });
+  each_span(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), reach_,
+            [&](std::size_t first, std::size_t last) {
+              for (std::size_t cell = first; cell <= last; ++cell) {
+                const std::uint16_t before = seen_[cell];
+                const auto after = static_cast<std::uint16_t>(before + by);
+                seen_[cell] = after;
+                less += can_be_seen_[cell] * (static_cast<int>(before == 0) - static_cast<int>(after == 0));
+              }
+            });
   unseen_ -= static_cast<std::size_t>(less);
 }
 

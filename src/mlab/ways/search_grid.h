@@ -28,11 +28,12 @@ class SearchGrid {
   void enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner);
 
   const Lanes& lanes() const { return lanes_; }
-  double swath() const { return 2.0 * reach_; }
+  double swath() const { return swath_; }
   double cell_area() const { return step_along_ * step_across_; }
   double step() const { return step_along_; }
   std::size_t to_search() const { return to_search_; }  ///< cells inside of the outline, outside of things
-  std::size_t to_see() const { return to_see_; }        ///< of these that can be seen
+  std::size_t visible() const { return visible_; }      ///< of these that can be seen
+  std::size_t to_see() const { return to_see_; }        ///< of these that can be, for sure
   std::size_t unseen() const { return unseen_; }        ///< of these that aren't yet
 
   int columns() const { return columns_; }
@@ -73,24 +74,27 @@ class SearchGrid {
                   Planner& planner);
   void enter_edges(const Ground& ground, const Clearing& clearing);
   void enter_edge(geom::Point at, const Clearing& clearing);
+  void look_from(LanePlace at);
   bool is_rim(int column, int row) const;
   /// visit(first, last): cells in a row whose middles are within reach of the piece.
   template <class Visit>
-  void each_span(LanePlace a, LanePlace b, Visit&& visit) const;
+  void each_span(LanePlace a, LanePlace b, double reach, Visit&& visit) const;
 
   Lanes lanes_;
-  double reach_ = 0.0;
+  double swath_ = 0.0;
+  double reach_ = 0.0;  // half a swath, less what cells aren't sure of
   double step_along_ = 0.0;
   double step_across_ = 0.0;
   int columns_ = 0, rows_ = 0;
   int margin_columns_ = 0, margin_rows_ = 0;
   int rows_of_lane_ = 1;
   std::vector<std::uint8_t> is_inside_;
+  std::vector<std::uint8_t> is_visible_;
   std::vector<std::uint16_t> can_be_seen_;  // as wide as what is counted: faster
   std::vector<std::uint16_t> seen_;
   std::vector<std::int32_t> part_;     // 0: no place for a robot
   std::vector<geom::Point> on_edges_;  // places for a robot close to things
-  std::size_t to_search_ = 0, to_see_ = 0, unseen_ = 0;
+  std::size_t to_search_ = 0, visible_ = 0, to_see_ = 0, unseen_ = 0;
 };
 
 }  // namespace mlab::ways
