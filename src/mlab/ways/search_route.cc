@@ -287,7 +287,7 @@ std::vector<geom::Point> SearchRoute::candidates(const Patch& cells) const {
   const geom::Point from = nearest(center);
   const Clearing& clearing = planner_.clearing();
   std::vector<geom::Point> out;
-  for (const double share : {0.35, 0.65, 1.0}) {
+  for (const double share : {0.5, 1.0}) {
     const auto at = clearing.nearest_free(from + (center - from) * share);
     if (at && std::ranges::find(out, *at) == out.end() && grid_.may_be_at(*at, clearing)) out.push_back(*at);
   }
