@@ -176,18 +176,19 @@ void SearchGrid::enter_edges(const Ground& ground, const Clearing& clearing) {
   for (std::uint32_t round = 0; round < clearing.rounds().size(); ++round) {
     const auto [center, radius] = clearing.rounds()[round];
     for (const Arc& arc : clearing.free_arcs(round)) {
-      const double pieces = std::min(1000.0, std::ceil((arc.end - arc.begin) * radius / step_along_));
-      for (double i = 0.0; i <= pieces; ++i) {
-        const double angle = arc.begin + (arc.end - arc.begin) * i / std::max(pieces, 1.0);
+      const int pieces =
+          static_cast<int>(std::min(1000.0, std::ceil((arc.end - arc.begin) * radius / step_along_)));
+      for (int i = 0; i <= pieces; ++i) {
+        const double angle = arc.begin + (arc.end - arc.begin) * i / std::max(pieces, 1);
         enter_edge(center + geom::Offset{std::cos(angle), std::sin(angle)} * (radius + outside), clearing);
       }
     }
   }
   for (const geom::Segment& wall : ground.walls) {
     const geom::Offset aside = unit(wall.b - wall.a) * (clearing.clearance() + outside);
-    const double pieces = std::min(1000.0, std::ceil(distance(wall.a, wall.b) / step_along_));
-    for (double i = 0.0; i <= pieces; ++i) {
-      const geom::Point at = wall.a + (wall.b - wall.a) * (i / std::max(pieces, 1.0));
+    const int pieces = static_cast<int>(std::min(1000.0, std::ceil(distance(wall.a, wall.b) / step_along_)));
+    for (int i = 0; i <= pieces; ++i) {
+      const geom::Point at = wall.a + (wall.b - wall.a) * (1.0 * i / std::max(pieces, 1));
       enter_edge(at + geom::Offset{-aside.y, aside.x}, clearing);
       enter_edge(at + geom::Offset{aside.y, -aside.x}, clearing);
     }

@@ -79,8 +79,8 @@ void SearchRoute::append(const LanePiece& piece) {
   append(piece.a);
   if (length > 2.0 * end) {
     const double between = length - 2.0 * end;
-    const double count = std::max(1.0, std::ceil(between / (kStopEvery * grid_.swath())));
-    for (double i = 0.0; i <= count; ++i) append(piece.a + along * (end + between * i / count));
+    const int count = std::max(1, static_cast<int>(std::ceil(between / (kStopEvery * grid_.swath()))));
+    for (int i = 0; i <= count; ++i) append(piece.a + along * (end + between * i / count));
   }
   append(piece.b);
 }
