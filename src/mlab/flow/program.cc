@@ -282,31 +282,24 @@ void Program::restart(const Block& block, std::byte* frame) const {
 
 void Program::add_needs(const Block& block, const std::byte* frame, bool starts_anew,
                         const Interventions* interventions, percept::Needs& needs) const {
-  for (std::uint32_t n = block.first_need; n < block.first_need + block.need_count; ++n) {
-    const NeedCode& need = needs_[n];
+  for (const NeedCode& need : needs_of(block)) {
     const double range = need.range_offset == kNone ? need.range : at<double>(frame, need.range_offset);
     needs.want(need.sensor, range);
   }
-  if (needs_are_fixed_) return;
   const auto last = static_cast<std::uint32_t>(cycle(frame));
-  for (std::uint32_t n = block.first; n < block.first + block.count; ++n) {
-    const Instruction& i = instructions_[n];
-    if (i.kind == Instruction::Kind::kSelect) {
-      for (const CaseCode& member : selects_[i.data].cases)
-        add_needs(member.member, frame, false, interventions, needs);
-    } else if (i.kind == Instruction::Kind::kSequence) {
-      const SequenceCode& sequence = sequences_[i.data];
-      const bool starts = starts_anew || last == 0 || at<std::uint32_t>(frame, i.stamp) != last;
-      const StateCode& state = sequence.states[starts ? sequence.start : sequence.active_in(frame)];
-      add_needs(state.triggers, frame, starts, interventions, needs);
-      add_needs(state.member, frame, starts, interventions, needs);
-      for (const TransitionCode& transition : state.transitions) {
-        add_needs(sequence.states[transition.target].member, frame, true, interventions, needs);
-      }
-      const auto* const forced = interventions == nullptr ? nullptr : interventions->coming(i.data);
-      if (forced != nullptr)
-        add_needs(sequence.states[forced->state].member, frame, true, interventions, needs);
+  for (const auto& [index, is_in_select] : sequences_of(block)) {
+    const SequenceCode& sequence = sequences_[index];
+    const bool starts =
+        (starts_anew && !is_in_select) || last == 0 || at<std::uint32_t>(frame, sequence.stamp) != last;
+    const StateCode& state = sequence.states[starts ? sequence.start : sequence.active_in(frame)];
+    add_needs(state.triggers, frame, starts, interventions, needs);
+    add_needs(state.member, frame, starts, interventions, needs);
+    for (const TransitionCode& transition : state.transitions) {
+      add_needs(sequence.states[transition.target].member, frame, true, interventions, needs);
     }
+    const auto* const forced = interventions == nullptr ? nullptr : interventions->coming(index);
+    if (forced != nullptr)
+      add_needs(sequence.states[forced->state].member, frame, true, interventions, needs);
   }
 }
 

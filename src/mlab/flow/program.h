@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -79,8 +80,11 @@ class Program {
   struct Block {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+    // What they need, each once, and their sequences: with those of whatever case a select may choose.
     std::uint32_t first_need = 0;
     std::uint32_t need_count = 0;
+    std::uint32_t first_sequence = 0;
+    std::uint32_t sequence_count = 0;
   };
   struct TransitionCode {
     std::uint32_t trigger = 0;  ///< offset of a bool
@@ -138,6 +142,15 @@ class Program {
     percept::Sensor sensor = percept::Sensor::kObstacles;
     std::uint32_t range_offset = kNone;  ///< of a double
     double range = 0.0;
+
+    friend auto operator<=>(const NeedCode&, const NeedCode&) = default;
+  };
+  /// A sequence of a block, which needs more for the states that it may be in.
+  struct NeedySequence {
+    std::uint32_t sequence = 0;  ///< index
+    bool is_in_select = false;   ///< in a case of one: it may go on though its block starts anew
+
+    friend auto operator<=>(const NeedySequence&, const NeedySequence&) = default;
   };
   /// State that a node keeps from cycle to cycle.
   struct KeptCode {
@@ -307,6 +320,12 @@ class Program {
   void run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,
                  AsyncRunner* async) const;
   void restart(const Block& block, std::byte* frame) const;
+  std::span<const NeedCode> needs_of(const Block& block) const {
+    return std::span(needs_).subspan(block.first_need, block.need_count);
+  }
+  std::span<const NeedySequence> sequences_of(const Block& block) const {
+    return std::span(needy_sequences_).subspan(block.first_sequence, block.sequence_count);
+  }
   void add_needs(const Block& block, const std::byte* frame, bool starts_anew,
                  const Interventions* interventions, percept::Needs& needs) const;
 
@@ -323,9 +342,9 @@ class Program {
   std::vector<DelayCode> delays_;
   std::vector<AsyncCode> asyncs_;
   std::vector<NeedCode> needs_;
+  std::vector<NeedySequence> needy_sequences_;
   std::vector<MixtureCode> mixtures_;
   std::vector<NodeWires> wires_;
-  bool needs_are_fixed_ = false;
   std::size_t node_count_ = 0;
   Frame initial_;
   std::vector<KeptCode> kept_;  ///< for `carry_over` only

@@ -142,7 +142,8 @@ class ProgramBuilder {
   std::uint32_t emit_delay(const Op& op);
   std::uint32_t emit_async(const Op& op, std::uint32_t words);
   std::uint32_t emit_inputs(const Op& op);
-  void emit_needs(const Op& op);
+  void emit_needs(const std::vector<std::uint32_t>& ops, Program::Block& block);
+  Program::NeedCode need_of(const Op& op, const Need& need) const;
   void assign_stamps();
   bool is_mixture(const Op& op) const;
   void emit_mixtures();

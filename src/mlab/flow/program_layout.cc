@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 #include "mlab/base/hash.h"
 #include "mlab/flow/port_types.h"
@@ -8,6 +11,20 @@
 namespace mlab::flow {
 
 using Instruction = Program::Instruction;
+
+namespace {
+
+template <class Code>
+void append_each_once(std::vector<Code>& all, std::vector<Code> some, std::uint32_t& first,
+                      std::uint32_t& count) {
+  std::ranges::sort(some);
+  some.erase(std::ranges::unique(some).begin(), some.end());
+  first = static_cast<std::uint32_t>(all.size());
+  count = static_cast<std::uint32_t>(some.size());
+  all.insert(all.end(), some.begin(), some.end());
+}
+
+}  // namespace
 
 std::uint32_t ProgramBuilder::allocate(std::size_t size, std::size_t alignment) {
   const auto a = static_cast<std::uint32_t>(alignment);
@@ -86,7 +103,6 @@ void ProgramBuilder::lay_out() {
     if (is_sink || (ops_[i].node != nullptr && ops_[i].node->is_public)) roots.push_back(i);
   }
   program_->root_ = emit(roots);
-  program_->needs_are_fixed_ = program_->sequences_.empty() && program_->selects_.empty();
   program_->node_count_ = network_.nodes.size();
   assign_stamps();
   emit_mixtures();
@@ -202,9 +218,7 @@ Program::Block ProgramBuilder::emit(const std::vector<std::uint32_t>& roots) {
   out.count = static_cast<std::uint32_t>(block.size());
   program_->instructions_.insert(program_->instructions_.end(), block.begin(), block.end());
   instruction_ops_.insert(instruction_ops_.end(), ops.begin(), ops.end());
-  out.first_need = static_cast<std::uint32_t>(program_->needs_.size());
-  for (const std::uint32_t i : ops) emit_needs(ops_[i]);
-  out.need_count = static_cast<std::uint32_t>(program_->needs_.size()) - out.first_need;
+  emit_needs(ops, out);
   return out;
 }
 
@@ -292,15 +306,34 @@ std::uint32_t ProgramBuilder::emit_async(const Op& op, std::uint32_t words) {
   return static_cast<std::uint32_t>(program_->asyncs_.size() - 1);
 }
 
-void ProgramBuilder::emit_needs(const Op& op) {
-  if (op.behavior == nullptr) return;
-  for (const Need& need : op.behavior->needs) {
-    const bool has_own_reach = percept::info(need.sensor).has_own_reach;
-    Program::NeedCode code{need.sensor, kNone, has_own_reach ? percept::kOwnReach : need.range};
-    if (need.range_input >= 0)
-      code.range_offset = offset_of(op.inputs[static_cast<std::size_t>(need.range_input)].front());
-    program_->needs_.push_back(code);
+// Those of a select's cases are known already: their blocks were emitted before the one that it stands in.
+void ProgramBuilder::emit_needs(const std::vector<std::uint32_t>& ops, Program::Block& block) {
+  std::vector<Program::NeedCode> needs;
+  std::vector<Program::NeedySequence> sequences;
+  for (const std::uint32_t i : ops) {
+    const Op& op = ops_[i];
+    if (op.behavior != nullptr) {
+      for (const Need& need : op.behavior->needs) needs.push_back(need_of(op, need));
+    }
+    if (op.kind == Instruction::Kind::kSequence) sequences.push_back({op.data, false});
+    if (op.kind != Instruction::Kind::kSelect) continue;
+    for (const Program::CaseCode& one : program_->selects_[op.data].cases) {
+      std::ranges::copy(program_->needs_of(one.member), std::back_inserter(needs));
+      for (const auto& inner : program_->sequences_of(one.member))
+        sequences.push_back({inner.sequence, true});
+    }
   }
+  append_each_once(program_->needs_, std::move(needs), block.first_need, block.need_count);
+  append_each_once(program_->needy_sequences_, std::move(sequences), block.first_sequence,
+                   block.sequence_count);
+}
+
+Program::NeedCode ProgramBuilder::need_of(const Op& op, const Need& need) const {
+  const bool has_own_reach = percept::info(need.sensor).has_own_reach;
+  Program::NeedCode out{need.sensor, kNone, has_own_reach ? percept::kOwnReach : need.range};
+  if (need.range_input >= 0)
+    out.range_offset = offset_of(op.inputs[static_cast<std::size_t>(need.range_input)].front());
+  return out;
 }
 
 bool ProgramBuilder::is_mixture(const Op& op) const {

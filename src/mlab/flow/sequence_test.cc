@@ -206,5 +206,34 @@ TEST(Sequence, AHundredDeepBuildsAndRuns) {
   EXPECT_DOUBLE_EQ(run.action.velocity.x, 2.0);
 }
 
+TEST(Select, NeedsWhatItsCasesNeedInTheStatesInWhichTheyAre) {
+  Network network;
+  network.nodes.push_back(node("far", "Look", {{"range", constant("4")}}));
+  network.nodes.push_back(node("near", "Look", {{"range", constant("3")}}));
+  network.nodes.push_back(node("t", "After", {{"at", constant("2")}}));
+  Node sequence = node("job", "int");
+  sequence.kind = Node::Kind::kSequence;
+  sequence.states = {state("Far", "far", {go("t", "Near")}, true), state("Near", "near", {})};
+  network.nodes.push_back(sequence);
+  network.nodes.push_back(node("other", "Look", {{"range", constant("2")}}));
+  Node select = node("which", "int");
+  select.kind = Node::Kind::kSelect;
+  select.selector = name("which_case");
+  select.cases = {{{0}, name("job"), {}}, {{}, name("other"), {}}};
+  network.parameters.push_back({"which_case", "int", "", "", {}, constant("0"), 0, 9, {}});
+  network.nodes.push_back(select);
+  network.nodes.push_back(node("sink", "Show", {{"value", name("which")}}));
+  Runner run(network);
+  ASSERT_TRUE(run.program) << text::render(run.sink);
+  const auto reach = [&] { return run.program->needs(run.frame.data())[percept::Sensor::kObstacles]; };
+  EXPECT_EQ(reach(), 4.0);
+  run.step();
+  EXPECT_EQ(reach(), 4.0) << "still in the same state";
+  run.step();
+  EXPECT_EQ(reach(), 3.0) << "it is near now";
+  ASSERT_FALSE(run.program->set(run.frame.data(), *run.program->find("other.range"), "9"));
+  EXPECT_EQ(reach(), 9.0) << "the selector may choose the other case";
+}
+
 }  // namespace
 }  // namespace mlab::flow

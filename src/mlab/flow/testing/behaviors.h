@@ -153,9 +153,28 @@ inline const Behavior& slow_square() {
   return kBehavior;
 }
 
+/// How many obstacles are in sight.
+inline void fire_look(Call& call) {
+  call.at<int>(call.output) = static_cast<int>(call.cycle->percepts->obstacles.size());
+}
+inline const Behavior& look() {
+  static const Input kInputs[] = {{"range", &type_info<double>(), "", "", false, "1", 0, 1e6}};
+  static const Need kNeeds[] = {{percept::Sensor::kObstacles, 0}};
+  static const Behavior kBehavior = [] {
+    Behavior b;
+    b.name = "Look";
+    b.output = &type_info<int>();
+    b.inputs = kInputs;
+    b.needs = kNeeds;
+    b.fire = fire_look;
+    return b;
+  }();
+  return kBehavior;
+}
+
 inline Library library() {
-  static const Behavior* const kAll[] = {&count(), &add(),  &after(),      &heading(),
-                                         &sum(),   &show(), &slow_square()};
+  static const Behavior* const kAll[] = {&count(), &add(),  &after(),       &heading(),
+                                         &sum(),   &show(), &slow_square(), &look()};
   Library out;
   out.add(kAll);
   return out;
