@@ -104,9 +104,10 @@ void Planner::go_on(Search& search, std::int32_t step) {
   for (std::size_t i = 0; i < circle.pieces.size(); ++i) {
     const Piece& piece = circle.pieces[i];
     const double cost = cost_round(piece.from_angle) + piece.tangent.length;
-    double& best = best_[circle.first_piece + i];
-    if (cost >= best) continue;
-    best = cost;
+    const std::uint32_t number = circle.first_piece + static_cast<std::uint32_t>(i);
+    if (cost >= best_[number]) continue;
+    best_[number] = cost;
+    improved_.push_back(number);
     search.add({piece, cost, step});
   }
 }
@@ -114,7 +115,8 @@ void Planner::go_on(Search& search, std::int32_t step) {
 std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point to,
                                                  std::uint64_t most_effort) {
   const std::uint64_t effort_before = effort_;
-  std::ranges::fill(best_, kNever);
+  for (const std::uint32_t piece : improved_) best_[piece] = kNever;
+  improved_.clear();
   Search search{from, to, {}, {}};
   begin(search);
   while (!search.open.empty() && effort_ - effort_before < most_effort) {

@@ -87,7 +87,8 @@ class Planner {
   std::vector<Circle> circles_;
   std::vector<std::optional<std::vector<Arc>>> arcs_;  // by round
   std::uint32_t pieces_ = 0;
-  std::vector<double> best_;  // by piece: of the search that is under way
+  std::vector<double> best_;             // by piece: of the search that is under way
+  std::vector<std::uint32_t> improved_;  // pieces whose best it has found
   std::uint64_t effort_;
 };
 
