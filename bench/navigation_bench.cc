@@ -1,0 +1,124 @@
+// What planning costs: 1,000 units of ten standard robots that each go somewhere in formation, once as they
+// are and once with SET NAVIGATION REACTIVE, in turns; on open ground, and with a rock in the way of each
+// unit. Prints processor time for 2,000,000 robot-cycles, and a sum of where all robots are then, which a
+// change that is only to be faster must not change.
+//
+//     navigation_bench [TURNS] [UNITS]
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "mlab/cell/testing/permission.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/robot/program/robot_program.h"
+#include "mlab/simulated/run.h"
+#include "mlab/text/diagnostic.h"
+#include "mlab/text/source.h"
+
+namespace mlab {
+namespace {
+
+constexpr double kSeconds = 20.0;  // of each run
+
+struct Took {
+  double processor = 1e300;  // [s]
+  std::uint64_t places = 0;
+};
+
+double processor_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Units stand in rows of forty, too far apart to meet.
+std::string map_of(int units, bool has_rocks) {
+  std::string out = "MISSION-AREA 12000 12000\n\nCONTROL MEASURES:\n\n";
+  for (int unit = 0; unit < units; ++unit) {
+    const int x = 100 + 290 * (unit % 40);
+    const int y = 100 + 440 * (unit / 40);
+    out += fmt::format("OBJ S{} {} {} 60\nOBJ G{} {} {} 60\n", unit, x, y, unit, x, y + 300);
+    if (has_rocks) out += fmt::format("OBSTACLE {} {} 6\n", x + 5, y + 150);
+  }
+  return out;
+}
+
+std::string mission_of(int units, bool is_reactive) {
+  std::string out = "OVERLAY map.odl\n";
+  if (is_reactive) out += "SET NAVIGATION REACTIVE\n";
+  std::string start;
+  std::string go;
+  for (int unit = 0; unit < units; ++unit) {
+    out += fmt::format("UNIT <u{}> ROBOT ROBOT ROBOT ROBOT ROBOT ROBOT ROBOT ROBOT ROBOT ROBOT\n", unit);
+    const char* const more = unit + 1 < units ? " AND\n     " : "\n";
+    start += fmt::format("UNIT u{} START OBJ-S{} 0 10{}", unit, unit, more);
+    go += fmt::format("UNIT u{} MOVETO OBJ-G{} FORMATION Wedge{}", unit, unit, more);
+  }
+  return out + "\nCOMMAND LIST:\n\n  0. " + start + "  1. " + go;
+}
+
+std::unique_ptr<run::MissionRun> run_of(const std::string& mission, const std::string& map) {
+  mdl::LoadOptions options;
+  options.files.is_file = [](const std::string& path) { return path.ends_with("map.odl"); };
+  options.files.read = [&](const std::string& path) { return std::make_shared<text::Source>(path, map); };
+  text::Diagnostics sink;
+  const auto checked =
+      mdl::check_mission(std::make_shared<text::Source>("bench.mdl", mission), "", sink, options);
+  robot::ProgramSources sources;
+  sources.permission = cell::testing::code_permitted();
+  auto out = checked ? simulated::make_run(checked, sources, {}, sink) : nullptr;
+  if (!out) fmt::print(stderr, "{}\n", text::render(sink));
+  return out;
+}
+
+/// Takes what a run takes, where that is less than what others took.
+bool measure(const std::string& mission, const std::string& map, Took& least) {
+  const auto run = run_of(mission, map);
+  if (!run) return false;
+  run->post(mission::event::Execute{});
+  const double began = processor_seconds();
+  while (run->time() < kSeconds && run->step() == run::MissionRun::Progress::kStepped) {
+  }
+  least.processor = std::min(least.processor, processor_seconds() - began);
+  least.places = 0xcbf29ce484222325;
+  for (const fleet::FleetRobot& robot : run->fleet().robots()) {
+    const geom::Pose pose = run->fleet().pose(robot);
+    for (const double value : {pose.position.x, pose.position.y, pose.heading})
+      least.places = (least.places ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3U;
+  }
+  return true;
+}
+
+int run_all(int turns, int units) {
+  for (const bool has_rocks : {false, true}) {
+    const std::string map = map_of(units, has_rocks);
+    Took planned;
+    Took reactive;
+    for (int turn = 0; turn < turns; ++turn) {
+      if (!measure(mission_of(units, false), map, planned) ||
+          !measure(mission_of(units, true), map, reactive))
+        return 1;
+    }
+    fmt::print("{}: planned {:.2f} s ({:016x}), reactive {:.2f} s ({:016x}): {:.0f} % of the speed\n",
+               has_rocks ? "a rock in each way" : "open ground", planned.processor, planned.places,
+               reactive.processor, reactive.places, 100.0 * reactive.processor / planned.processor);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace mlab
+
+int main(int argc, char** argv) {
+  const auto number = [&](int place, int otherwise) {
+    return argc > place ? std::max(1, std::atoi(argv[place])) : otherwise;
+  };
+  return mlab::run_all(number(1, 3), number(2, 1000));
+}
