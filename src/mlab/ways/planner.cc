@@ -32,6 +32,12 @@ struct Planner::Search {
                  static_cast<std::int32_t>(steps.size()));
     steps.push_back(step);
   }
+  /// Makes the next step one that can be gone. False: there is none.
+  bool drop_blocked(const Planner& planner) {
+    while (!open.empty() && planner.is_blocked(steps[static_cast<std::size_t>(open.top().second)]))
+      open.pop();
+    return !open.empty();
+  }
   static constexpr std::uint32_t kGoal = UINT32_MAX;  // in place of a circle
 };
 
@@ -78,9 +84,13 @@ void Planner::begin(Search& search) {
   }
   for (std::uint32_t circle = 0; circle < circles_.size(); ++circle) {
     const auto one = tangent({search.from, 0.0}, Sense::kCounterClockwise, round(circle), sense(circle));
-    if (one && clearing_.is_free(one->piece))
-      search.add({{*one, circle, 0.0, angle(circle, one->piece.b)}, one->length, -1});
+    if (one) search.add({{*one, circle, 0.0, angle(circle, one->piece.b)}, one->length, -1});
   }
+}
+
+/// First steps to circles are looked at only where a search comes to them, since there is one to each.
+bool Planner::is_blocked(const Step& step) const {
+  return step.before < 0 && step.piece.to != Search::kGoal && !clearing_.is_free(step.piece.tangent.piece);
 }
 
 void Planner::go_on(Search& search, std::int32_t step) {
@@ -119,7 +129,7 @@ std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point t
   improved_.clear();
   Search search{from, to, {}, {}};
   begin(search);
-  while (!search.open.empty() && effort_ - effort_before < most_effort) {
+  while (search.drop_blocked(*this) && effort_ - effort_before < most_effort) {
     const std::int32_t step = search.open.top().second;
     search.open.pop();
     if (search.steps[static_cast<std::size_t>(step)].piece.to == Search::kGoal) return way_of(search, step);
@@ -128,7 +138,7 @@ std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point t
   NoWay out{search.open.empty(), from};
   for (const Step& step : search.steps) {
     const geom::Point reached = step.piece.tangent.piece.b;
-    if (distance(reached, to) < distance(out.nearest, to)) out.nearest = reached;
+    if (distance(reached, to) < distance(out.nearest, to) && !is_blocked(step)) out.nearest = reached;
   }
   return std::unexpected(out);
 }
