@@ -129,8 +129,16 @@ constexpr double kEnd = 20.0;  // [m]
 geom::Offset begin_direction(std::span<const geom::Point> way) {
   return unit(route_point(way, kEnd) - way.front());
 }
-geom::Offset end_direction(std::span<const geom::Point> way) {
-  return unit(way.back() - route_point(way, route_length(way) - kEnd));
+geom::Offset end_direction(std::span<const geom::Point> way, double length) {
+  return unit(way.back() - route_point(way, length - kEnd));
+}
+
+/// As way_point, for who knows the way's length.
+geom::Point way_point_of(std::span<const geom::Point> way, double length, double at) {
+  if (way.size() < 2) return way.empty() ? geom::Point{} : way.front();
+  if (at < 0.0) return way.front() + begin_direction(way) * at;
+  if (at > length) return way.back() + end_direction(way, length) * (at - length);
+  return route_point(way, at);
 }
 
 }  // namespace
@@ -291,13 +299,15 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     return std::ranges::any_of(ground.walls,
                                [&](const geom::Segment& wall) { return intersects({a, b}, wall); });
   };
+  const auto way_at = [&](double there) { return way_point_of(points, length, there); };
   const auto place_at = [&](double there) {
-    const geom::Point middle = way_point(points, there);
-    const geom::Offset along = unit(way_point(points, there + kHalf) - way_point(points, there - kHalf));
+    const geom::Point middle = way_at(there);
+    const geom::Offset along = unit(way_at(there + kHalf) - way_at(there - kHalf));
     const geom::Point place = middle + geom::Offset{-along.y, along.x} * station.y;
-    const geom::Point nearest = way_point(points, std::clamp(there, 0.0, length));
+    if (ground.walls.empty()) return place;
+    const geom::Point nearest = way_at(std::clamp(there, 0.0, length));
     if (!is_apart(nearest, middle) && !is_apart(middle, place)) return place;
-    return there < end ? nearest : way_point(points, std::max(0.0, length - in_file));
+    return there < end ? nearest : way_at(std::max(0.0, length - in_file));
   };
   if (ground.revision == 0 || way.count < 2) return {place_at(std::min(at, end)), std::min(at, end)};
   const auto site = sites().at(ground, way.clearance);
@@ -307,16 +317,12 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     if (distance(place, here) >= away && site->clearing().is_free(place)) return {place, there};
   }
   const auto last = site->clearing().nearest_free(place_at(end));
-  const bool is_there = last && !is_apart(way_point(points, std::clamp(end, 0.0, length)), *last);
-  return {is_there ? *last : way_point(points, std::max(0.0, length - in_file)), end};
+  const bool is_there = last && !is_apart(way_at(std::clamp(end, 0.0, length)), *last);
+  return {is_there ? *last : way_at(std::max(0.0, length - in_file)), end};
 }
 
 geom::Point way_point(std::span<const geom::Point> way, double at) {
-  if (way.size() < 2) return way.empty() ? geom::Point{} : way.front();
-  if (at < 0.0) return way.front() + begin_direction(way) * at;
-  const double length = route_length(way);
-  if (at > length) return way.back() + end_direction(way) * (at - length);
-  return route_point(way, at);
+  return way_point_of(way, route_length(way), at);
 }
 
 std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,
@@ -359,7 +365,7 @@ double way_progress(std::span<const geom::Point> way, geom::Point p, double from
   const double at = nearest_way(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
   if (at <= 0.0) return std::min(std::max(dot(p - way.front(), begin_direction(way)), from), 0.0);
   if (at >= length) {
-    const double beyond = dot(p - way.back(), end_direction(way));
+    const double beyond = dot(p - way.back(), end_direction(way, length));
     return length + std::max(0.0, std::min(beyond, to - length));
   }
   return at;
