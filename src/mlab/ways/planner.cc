@@ -75,22 +75,15 @@ const Planner::Circle& Planner::known(std::uint32_t circle) {
 }
 
 void Planner::begin(Search& search) {
-  effort_ += circles_.size();
-  const geom::Segment straight{search.from, search.to};
-  const double length = distance(search.from, search.to);
-  if (clearing_.is_free(straight)) {
-    search.add({{{straight, length}, Search::kGoal}, length, -1});
-    return;
-  }
   for (std::uint32_t circle = 0; circle < circles_.size(); ++circle) {
     const auto one = tangent({search.from, 0.0}, Sense::kCounterClockwise, round(circle), sense(circle));
     if (one) search.add({{*one, circle, 0.0, angle(circle, one->piece.b)}, one->length, -1});
   }
 }
 
-/// First steps to circles are looked at only where a search comes to them, since there is one to each.
+/// First steps are looked at only where a search comes to them, since there is one to each.
 bool Planner::is_blocked(const Step& step) const {
-  return step.before < 0 && step.piece.to != Search::kGoal && !clearing_.is_free(step.piece.tangent.piece);
+  return step.before < 0 && !clearing_.is_free(step.piece.tangent.piece);
 }
 
 void Planner::go_on(Search& search, std::int32_t step) {
@@ -125,6 +118,9 @@ void Planner::go_on(Search& search, std::int32_t step) {
 std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point to,
                                                  std::uint64_t most_effort) {
   const std::uint64_t effort_before = effort_;
+  effort_ += circles_.size();
+  if (clearing_.is_free(geom::Segment{from, to}))
+    return Way{{from, to}, distance(from, to), clearing_.clearance()};
   for (const std::uint32_t piece : improved_) best_[piece] = kNever;
   improved_.clear();
   Search search{from, to, {}, {}};
