@@ -4,11 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -155,12 +157,13 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
   }
   const double least = radius + std::min(margin, kLeastMargin);
   const auto tight = sites().at(ground, least);
-  std::vector<double> clearances;
+  std::array<double, kShares.size() + 1> clearances{};
+  std::size_t count = 0;
   for (const double share : kShares) {
-    if (radius + share * margin > least) clearances.push_back(radius + share * margin);
+    if (radius + share * margin > least) clearances[count++] = radius + share * margin;
   }
-  clearances.push_back(least);
-  for (const double clearance : clearances) {
+  clearances[count++] = least;
+  for (const double clearance : std::span(clearances).first(count)) {
     const auto site = sites().at(ground, clearance);
     const std::lock_guard lock(site->mutex);
     const auto begin = free_beside(*tight, site->clearing(), from);
@@ -287,7 +290,7 @@ std::string trap_text(geom::Point here, bool stands, double seconds) {
 }
 
 PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& way, geom::Vector station,
-                        double in_file, double at, geom::Point here, double away) {
+                        const std::function<double()>& in_file, double at, geom::Point here, double away) {
   constexpr double kStep = 2.0;   // [m]
   constexpr double kHalf = 10.0;  // of the piece of the way that says where it leads [m]
   const auto points = way.points();
@@ -307,18 +310,19 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     if (ground.walls.empty()) return place;
     const geom::Point nearest = way_at(std::clamp(there, 0.0, length));
     if (!is_apart(nearest, middle) && !is_apart(middle, place)) return place;
-    return there < end ? nearest : way_at(std::max(0.0, length - in_file));
+    return there < end ? nearest : way_at(std::max(0.0, length - in_file()));
   };
   if (ground.revision == 0 || way.count < 2) return {place_at(std::min(at, end)), std::min(at, end)};
   const auto site = sites().at(ground, way.clearance);
+  const ways::Clearing& clearing = site->clearing();
   for (int step = 0; at + kStep * step < end; ++step) {
     const double there = at + kStep * step;
     const geom::Point place = place_at(there);
-    if (distance(place, here) >= away && site->clearing().is_free(place)) return {place, there};
+    if (distance(place, here) >= away && clearing.is_free(place)) return {place, there};
   }
-  const auto last = site->clearing().nearest_free(place_at(end));
+  const auto last = clearing.nearest_free(place_at(end));
   const bool is_there = last && !is_apart(way_at(std::clamp(end, 0.0, length)), *last);
-  return {is_there ? *last : way_at(std::max(0.0, length - in_file)), end};
+  return {is_there ? *last : way_at(std::max(0.0, length - in_file())), end};
 }
 
 geom::Point way_point(std::span<const geom::Point> way, double at) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -71,12 +72,12 @@ struct PlaceAhead {
 /// file. What stands at its last place moves it beside that. Where there is no way it is the robot's own
 /// place.
 /// @param station  x ahead along the way, y to its left [m]
-/// @param in_file  how far from the way's end it stands in file [m]
+/// @param in_file  how far from the way's end it stands in file [m]; asked only where it may do so
 /// @param at       how far along the way, at most as far as the station is at the way's end [m]
 /// @param here     the robot's place [m, world]
 /// @param away     how far from there it is at least, if the way goes on [m]
 PlaceAhead place_on_way(const percept::KnownGround& ground, const ways::PlannedWay& way, geom::Vector station,
-                        double in_file, double at, geom::Point here, double away);
+                        const std::function<double()>& in_file, double at, geom::Point here, double away);
 
 /// As route_point, with a way that goes straight on at both ends.
 geom::Point way_point(std::span<const geom::Point> way, double at);

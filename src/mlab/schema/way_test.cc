@@ -111,7 +111,8 @@ TEST(WhatBlocks, IsTheFirstThingOnTheLine) {
 
 TEST(PlaceOnWay, IsWhereTheRobotIsWithoutAWay) {
   const Known known = with_disc();
-  EXPECT_EQ(place_on_way(known.ground(), {}, {5.0, 5.0, 0.0}, 0.0, 10.0, {20.0, 30.0}, 7.0).place,
+  const auto none = [] { return 0.0; };
+  EXPECT_EQ(place_on_way(known.ground(), {}, {5.0, 5.0, 0.0}, none, 10.0, {20.0, 30.0}, 7.0).place,
             (Point{20.0, 30.0}));
 }
 
@@ -126,7 +127,9 @@ TEST(PlaceOnWay, IsNeverBehindTheWallsOfACorner) {
   way.clearance = 1.45;
   for (const double ahead : {0.0, 1.0, 2.0, 2.4, 2.6, 4.0, 9.0}) {
     const Point place =
-        place_on_way(known.ground(), way, {ahead, 0.0, 0.0}, 3.0, 1e3, {20.0, 23.0}, 0.0).place;
+        place_on_way(
+            known.ground(), way, {ahead, 0.0, 0.0}, [] { return 3.0; }, 1e3, {20.0, 23.0}, 0.0)
+            .place;
     EXPECT_GT(place.x, 6.0) << ahead;
     EXPECT_GT(place.y, 6.0) << ahead;
   }
