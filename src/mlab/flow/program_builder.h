@@ -136,6 +136,8 @@ class ProgramBuilder {
   std::uint32_t canonical(std::uint32_t op) const;
   std::vector<std::uint32_t> order(const std::vector<std::uint32_t>& roots);
   Program::Block emit(const std::vector<std::uint32_t>& roots);
+  Program::Instruction emit_op(std::uint32_t i);
+  std::vector<std::uint32_t> take_what_waits(const std::vector<std::uint32_t>& ops);
   Program::Block emit_for(const std::vector<Ref>& refs);
   std::uint32_t emit_sequence(const Op& op);
   std::uint32_t emit_select(const Op& op);
@@ -160,6 +162,9 @@ class ProgramBuilder {
   std::vector<std::uint32_t> op_ports_;         // per op: index of its port, kNone for conversions and sinks
   std::vector<std::uint32_t> instruction_ops_;  // per instruction: its op
   std::vector<std::uint32_t> delay_ops_;
+  std::vector<char> is_begun_;  // per op: blocks of its states or cases are being emitted
+  // By such an op: what delays in those blocks keep for the next cycle, and needs its value.
+  std::map<std::uint32_t, std::vector<std::uint32_t>> waiting_;
   std::vector<std::uint32_t> visited_;  // per op: the block that saw it last
   std::uint32_t block_number_ = 0;
   std::uint32_t frame_size_ = 8;  // the cycle comes first

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -175,50 +177,96 @@ Program::Block ProgramBuilder::emit_for(const std::vector<Ref>& refs) {
   return emit(roots);
 }
 
-Program::Block ProgramBuilder::emit(const std::vector<std::uint32_t>& roots) {
-  const std::vector<std::uint32_t> ops = order(roots);
-  std::vector<Instruction> block;
+// Leaves out what needs the value of an op whose own blocks are being emitted: only a delay leads there from
+// inside of them. What such a delay keeps is evaluated behind that op.
+std::vector<std::uint32_t> ProgramBuilder::take_what_waits(const std::vector<std::uint32_t>& ops) {
+  is_begun_.resize(ops_.size(), 0);
+  std::map<std::uint32_t, std::uint32_t> waits_for;
+  std::vector<std::uint32_t> out;
   for (const std::uint32_t i : ops) {
-    ++ops_[i].blocks;
-    Instruction instruction;
-    instruction.kind = ops_[i].kind;
-    instruction.output = ops_[i].output;
-    instruction.state = ops_[i].state;
-    instruction.path_hash = base::hash_text(ops_[i].path);
-    if (ops_[i].behavior != nullptr) instruction.fire = ops_[i].behavior->fire;
-    switch (ops_[i].kind) {
-      case Instruction::Kind::kFire:
-        instruction.inputs = emit_inputs(ops_[i]);
-        break;
-      case Instruction::Kind::kSequence:
-        if (ops_[i].data == kNone) ops_[i].data = emit_sequence(ops_[i]);
-        break;
-      case Instruction::Kind::kSelect:
-        if (ops_[i].data == kNone) ops_[i].data = emit_select(ops_[i]);
-        break;
-      case Instruction::Kind::kDelay:
-        if (ops_[i].data == kNone) {
-          ops_[i].data = emit_delay(ops_[i]);
-          delay_ops_.push_back(i);
-        }
-        break;
-      case Instruction::Kind::kStartAsync:
-        instruction.inputs = static_cast<std::uint32_t>(program_->words_.size());
-        if (ops_[i].data == kNone)
-          ops_[i].data = emit_async(ops_[i], instruction.inputs);
-        else
-          instruction.inputs = ops_[i].captured;
-        break;
+    std::optional<std::uint32_t> begun;
+    if (is_begun_[i] != 0) begun = i;
+    const auto look = [&](const Ref& ref) {
+      if (ref.kind != Ref::Kind::kOp && ref.kind != Ref::Kind::kFresh) return;
+      const auto found = waits_for.find(canonical(ref.index));
+      if (found != waits_for.end()) begun = found->second;
+    };
+    for (const auto& input : ops_[i].inputs) {
+      for (const Ref& ref : input) look(ref);
     }
-    if (ops_[i].data != kNone) instruction.data = ops_[i].data;
-    block.push_back(instruction);
+    look(ops_[i].selector);
+    if (begun)
+      waits_for.emplace(i, *begun);
+    else
+      out.push_back(i);
   }
+  for (const std::uint32_t i : out) {
+    if (ops_[i].value.kind != Ref::Kind::kOp) continue;
+    const auto found = waits_for.find(canonical(ops_[i].value.index));
+    if (found != waits_for.end()) waiting_[found->second].push_back(found->first);
+  }
+  return out;
+}
+
+Program::Block ProgramBuilder::emit(const std::vector<std::uint32_t>& roots) {
+  std::vector<std::uint32_t> all = roots;
+  std::vector<std::uint32_t> ops;
+  std::vector<Instruction> block;
+  for (bool is_complete = false; !is_complete;) {
+    const std::size_t known = all.size();
+    block.clear();
+    ops = take_what_waits(order(all));
+    for (const std::uint32_t i : ops) {
+      block.push_back(emit_op(i));
+      const auto waiting = waiting_.extract(i);
+      if (waiting) all.insert(all.end(), waiting.mapped().begin(), waiting.mapped().end());
+    }
+    is_complete = all.size() == known;
+  }
+  for (const std::uint32_t i : ops) ++ops_[i].blocks;
   Program::Block out;
   out.first = static_cast<std::uint32_t>(program_->instructions_.size());
   out.count = static_cast<std::uint32_t>(block.size());
   program_->instructions_.insert(program_->instructions_.end(), block.begin(), block.end());
   instruction_ops_.insert(instruction_ops_.end(), ops.begin(), ops.end());
   emit_needs(ops, out);
+  return out;
+}
+
+Instruction ProgramBuilder::emit_op(std::uint32_t i) {
+  Instruction out;
+  out.kind = ops_[i].kind;
+  out.output = ops_[i].output;
+  out.state = ops_[i].state;
+  out.path_hash = base::hash_text(ops_[i].path);
+  if (ops_[i].behavior != nullptr) out.fire = ops_[i].behavior->fire;
+  const bool is_new = ops_[i].data == kNone;
+  switch (ops_[i].kind) {
+    case Instruction::Kind::kFire:
+      out.inputs = emit_inputs(ops_[i]);
+      break;
+    case Instruction::Kind::kSequence:
+    case Instruction::Kind::kSelect:
+      if (!is_new) break;
+      is_begun_[i] = 1;
+      ops_[i].data =
+          ops_[i].kind == Instruction::Kind::kSelect ? emit_select(ops_[i]) : emit_sequence(ops_[i]);
+      is_begun_[i] = 0;
+      break;
+    case Instruction::Kind::kDelay:
+      if (!is_new) break;
+      ops_[i].data = emit_delay(ops_[i]);
+      delay_ops_.push_back(i);
+      break;
+    case Instruction::Kind::kStartAsync:
+      out.inputs = static_cast<std::uint32_t>(program_->words_.size());
+      if (is_new)
+        ops_[i].data = emit_async(ops_[i], out.inputs);
+      else
+        out.inputs = ops_[i].captured;
+      break;
+  }
+  if (ops_[i].data != kNone) out.data = ops_[i].data;
   return out;
 }
 

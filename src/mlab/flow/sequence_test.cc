@@ -235,5 +235,44 @@ TEST(Select, NeedsWhatItsCasesNeedInTheStatesInWhichTheyAre) {
   EXPECT_EQ(reach(), 9.0) << "the selector may choose the other case";
 }
 
+// What the case `which` gives is kept for the next cycle and comes back into that case.
+TEST(Select, ALoopMayLeadThroughACaseAndADelay) {
+  for (const bool is_nested : {false, true}) {
+    Network network;
+    network.parameters.push_back({"which", "int", "", "", {}, constant("0"), 0, 9, {}});
+    Node delay = node("before", "double", {{"value", name("next")}, {"initial", constant("5")}});
+    delay.kind = Node::Kind::kDelay;
+    network.nodes.push_back(delay);
+    network.nodes.push_back(node("one_more", "Add", {{"a", name("before")}, {"b", constant("1")}}));
+    network.nodes.push_back(node("ten_more", "Add", {{"a", name("before")}, {"b", constant("10")}}));
+    Node inner = node("inner", "double");
+    inner.kind = Node::Kind::kSelect;
+    inner.selector = name("which");
+    inner.cases = {{{0}, name("one_more"), {}}, {{}, name("ten_more"), {}}};
+    network.nodes.push_back(inner);
+    Node outer = node("outer", "double");
+    outer.kind = Node::Kind::kSelect;
+    outer.selector = name("which");
+    outer.cases = {{{0, 1}, name("inner"), {}}, {{}, name("before"), {}}};
+    if (is_nested) network.nodes.push_back(outer);
+    network.nodes.push_back(
+        node("next", "Add", {{"a", name(is_nested ? "outer" : "inner")}, {"b", constant("100")}}));
+    network.nodes.push_back(node("sink", "Show", {{"value", name("next")}}));
+    Runner run(network);
+    ASSERT_TRUE(run.program) << text::render(run.sink);
+    const auto expect = [&](double expected) {
+      run.step();
+      EXPECT_DOUBLE_EQ(run.action.velocity.x, expected) << is_nested;
+    };
+    expect(106);
+    expect(207);
+    run.program->set(run.frame.data(), *run.program->find("which"), "1");
+    expect(317);
+    run.program->set(run.frame.data(), *run.program->find("which"), "2");
+    expect(is_nested ? 417 : 427);
+    EXPECT_EQ(run.program->needs(run.frame.data())[percept::Sensor::kObstacles], 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace mlab::flow
