@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "mlab/fleet/fleet_robot.h"
@@ -36,6 +37,7 @@ std::span<const Contract> Contracts::of(std::uint32_t team) const {
 
 void Contracts::resolve(std::span<const FleetRobot> robots, double time) {
   bids_.clear();
+  own_bids_.clear();
   for (const FleetRobot& robot : robots) {
     for (const Request& request : requests_of(robot)) {
       if (request.kind == Request::Kind::kAnnounceTask) announce(robot, request, time);
@@ -70,10 +72,11 @@ bool Contracts::is_at(std::size_t place, std::uint32_t team, const Request& requ
 
 void Contracts::announce(const FleetRobot& robot, const Request& request, double time) {
   if (!std::isfinite(request.place.x + request.place.y)) return;
-  const std::size_t at = place_of(robot.team, request);
-  const auto offset = static_cast<std::ptrdiff_t>(at);
+  std::size_t at = place_of(robot.team, request);
   if (!is_at(at, robot.team, request)) {
-    if (of(robot.team).size() >= kMostOfATeam) return;
+    if (of(robot.team).size() >= kMostOfATeam && !forget_oldest(robot.team)) return;
+    at = place_of(robot.team, request);
+    const auto offset = static_cast<std::ptrdiff_t>(at);
     contracts_.insert(contracts_.begin() + offset, Contract{});
     terms_.insert(terms_.begin() + offset, Terms{});
   } else if (is_wanted(contracts_[at])) {
@@ -91,6 +94,19 @@ void Contracts::announce(const FleetRobot& robot, const Request& request, double
                 .deadline = 0.0,
                 .heard = time};
   offer(at, time);
+}
+
+// Of a team that has as many as it may: one that is over. @return whether there was one
+bool Contracts::forget_oldest(std::uint32_t team) {
+  std::optional<std::size_t> oldest;
+  for (std::size_t i = 0; i < contracts_.size(); ++i) {
+    if (terms_[i].team != team || is_wanted(contracts_[i])) continue;
+    if (!oldest || contracts_[i].time < contracts_[*oldest].time) oldest = i;
+  }
+  if (!oldest) return false;
+  contracts_.erase(contracts_.begin() + static_cast<std::ptrdiff_t>(*oldest));
+  terms_.erase(terms_.begin() + static_cast<std::ptrdiff_t>(*oldest));
+  return true;
 }
 
 void Contracts::offer(std::size_t contract, double time) {
@@ -131,13 +147,29 @@ void Contracts::keep(const FleetRobot& robot, double time) {
 void Contracts::bid(const FleetRobot& robot, const Request& request) {
   const std::size_t at = place_of(robot.team, request);
   if (!is_at(at, robot.team, request) || !std::isfinite(request.cost)) return;
-  if (contracts_[at].reneged != robot.id) bids_.push_back({robot.team, at, request.cost, robot.id});
+  const Contract& contract = contracts_[at];
+  if (contract.state == ContractState::kAwarded && contract.contractor == robot.id)
+    own_bids_.push_back({robot.team, at, request.cost, robot.id});
+  else if (contract.reneged != robot.id)
+    bids_.push_back({robot.team, at, request.cost, robot.id});
+}
+
+// Only what is on offer can be had, or costs somebody else less than who has it and offers it himself.
+void Contracts::drop_bids_in_vain() {
+  constexpr double kLess = 0.1;  // [m]
+  std::erase_if(bids_, [&](const Bid& bid) {
+    const Contract& contract = contracts_[bid.contract];
+    if (contract.state == ContractState::kOpen) return false;
+    if (contract.state != ContractState::kAwarded || contract.contractor == bid.robot) return true;
+    const auto offer =
+        std::ranges::find_if(own_bids_, [&](const Bid& own) { return own.contract == bid.contract; });
+    return offer == own_bids_.end() || bid.cost >= offer->cost - kLess;
+  });
 }
 
 // One for each team: what another task costs a robot depends on those that it has.
 void Contracts::award(double time) {
-  std::erase_if(bids_,
-                [&](const Bid& bid) { return contracts_[bid.contract].state != ContractState::kOpen; });
+  drop_bids_in_vain();
   std::ranges::sort(bids_, [](const Bid& a, const Bid& b) {
     return std::tie(a.team, a.cost, a.robot, a.contract) < std::tie(b.team, b.cost, b.robot, b.contract);
   });

@@ -223,6 +223,37 @@ TEST(Contracts, DropPlacesThatAreNoNumbersAndWhatIsTooMany) {
   EXPECT_EQ(t.contracts.of(1).size(), 1U) << "teams are counted for themselves";
 }
 
+TEST(Contracts, ForgetTheOldestThatIsOverWhereThereAreTooMany) {
+  TestTeams t;
+  t.announce(1, 0).resolve();  // nobody wants it
+  t.resolve();
+  t.announce(1, 1).resolve();
+  t.resolve();
+  EXPECT_EQ(t.find(1)->state, ContractState::kFailed);
+  for (std::uint32_t object = 2; object <= Contracts::kMostOfATeam; ++object)
+    t.announce(1, object, 1e6).resolve();
+  EXPECT_EQ(t.contracts.of(0).size(), Contracts::kMostOfATeam);
+  EXPECT_EQ(t.find(0), nullptr);
+  EXPECT_NE(t.find(1), nullptr);
+}
+
+TEST(Contracts, WhoHasATaskAndHasNotBegunMayHandItToWhoeverItCostsLess) {
+  for (const double other : {3.0, 8.0}) {
+    for (const bool offers : {false, true}) {
+      for (const bool has_begun : {false, true}) {
+        TestTeams t;
+        t.announce(1, 7).resolve();
+        t.bid(2, 7, 5.0).resolve();
+        if (has_begun) t.tell(2, Kind::kStartTask, 7).resolve();
+        if (offers) t.bid(2, 7, 5.0);
+        t.bid(3, 7, other).resolve();
+        const bool changes = offers && !has_begun && other < 5.0;
+        EXPECT_EQ(t.find(7)->contractor.value, changes ? 3U : 2U) << other << offers << has_begun;
+      }
+    }
+  }
+}
+
 TEST(Contracts, ACopyGoesOnAlike) {
   TestTeams t;
   t.announce(1, 7, 0.0, 2.0).announce(1, 8, 3.0).resolve();

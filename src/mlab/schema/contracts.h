@@ -34,7 +34,7 @@ inline bool is_named(const percept::Contract& contract, std::uint64_t name) {
 }
 
 /// The way of a robot to the places of tasks, one after the other. Each task is put in where it makes the way
-/// least longer.
+/// least longer; then pieces of the way are turned round or moved as long as that shortens it.
 /// @source  cheapest insertion: Rosenkrantz, Stearns, Lewis 1977, "An Analysis of Several Heuristics for the
 /// Traveling
 ///          Salesman Problem"; as bids: Lagoudakis et al. 2005, "Auction-Based Multi-Robot Routing"
@@ -43,7 +43,8 @@ class TaskWay {
  public:
   explicit TaskWay(geom::Point start) : start_(start) {}
   /// The way to the tasks that this robot has, put in in the order in which it was awarded them.
-  explicit TaskWay(const percept::Percepts& percepts);
+  /// @param without  one that is left out; null: none
+  explicit TaskWay(const percept::Percepts& percepts, const percept::Contract* without = nullptr);
 
   std::size_t size() const { return size_; }
   std::span<const percept::Contract* const> tasks() const { return {tasks_.data(), size_}; }
@@ -53,13 +54,21 @@ class TaskWay {
   void insert(const percept::Contract& contract);
   /// From its start over all places [m].
   double length() const;
+  /// Turns pieces round, and moves single places, as long as the way becomes shorter by that.
+  /// @source  2-opt: Croes 1958, "A Method for Solving Traveling-Salesman Problems"; places that move: Or
+  /// 1976
+  void shorten();
 
  private:
+  static constexpr double kShorter = 1e-6;  // than before [m]
   struct Insertion {
     std::size_t at;
     double length;
   };
   Insertion best(geom::Point place) const;
+  geom::Point place(std::size_t i) const { return i == 0 ? start_ : tasks_[i - 1]->place; }
+  bool turn_a_piece();
+  bool move_a_place();
 
   geom::Point start_;
   std::array<const percept::Contract*, kMostTasks> tasks_{};
@@ -95,11 +104,51 @@ inline double TaskWay::length() const {
   return out;
 }
 
-inline TaskWay::TaskWay(const percept::Percepts& percepts) : start_(percepts.pose.position) {
+inline bool TaskWay::turn_a_piece() {
+  for (std::size_t i = 0; i + 1 < size_; ++i) {
+    for (std::size_t j = i + 1; j < size_; ++j) {
+      double change = geom::distance(place(i), tasks_[j]->place) - geom::distance(place(i), tasks_[i]->place);
+      if (j + 1 < size_) {
+        change += geom::distance(tasks_[i]->place, tasks_[j + 1]->place) -
+                  geom::distance(tasks_[j]->place, tasks_[j + 1]->place);
+      }
+      if (change > -kShorter) continue;
+      std::reverse(tasks_.begin() + static_cast<std::ptrdiff_t>(i),
+                   tasks_.begin() + static_cast<std::ptrdiff_t>(j + 1));
+      return true;
+    }
+  }
+  return false;
+}
+
+inline bool TaskWay::move_a_place() {
+  const double before = length();
+  for (std::size_t i = 0; i < size_ && size_ > 1; ++i) {
+    TaskWay other = *this;
+    std::copy(other.tasks_.begin() + static_cast<std::ptrdiff_t>(i + 1),
+              other.tasks_.begin() + static_cast<std::ptrdiff_t>(size_),
+              other.tasks_.begin() + static_cast<std::ptrdiff_t>(i));
+    --other.size_;
+    other.insert(*tasks_[i]);
+    if (other.length() > before - kShorter) continue;
+    *this = other;
+    return true;
+  }
+  return false;
+}
+
+inline void TaskWay::shorten() {
+  while (turn_a_piece() || move_a_place()) {
+  }
+}
+
+inline TaskWay::TaskWay(const percept::Percepts& percepts, const percept::Contract* without)
+    : start_(percepts.pose.position) {
   std::array<const percept::Contract*, kMostTasks> held{};
   std::size_t count = 0;
   for (const percept::Contract& contract : percepts.contracts) {
-    if (count < kMostTasks && is_held(contract, percepts.id)) held[count++] = &contract;
+    if (&contract != without && count < kMostTasks && is_held(contract, percepts.id))
+      held[count++] = &contract;
   }
   // A team awards one task in a cycle; equal times are those of merged teams, which stay as they stand.
   std::span<const percept::Contract*> all(held.data(), count);
@@ -107,6 +156,7 @@ inline TaskWay::TaskWay(const percept::Percepts& percepts) : start_(percepts.pos
     for (std::size_t j = i; j > 0 && all[j]->time < all[j - 1]->time; --j) std::swap(all[j], all[j - 1]);
   }
   for (const percept::Contract* contract : all) insert(*contract);
+  shorten();
 }
 
 /// The first task of a name on a robot's way to all that it has; null: it has none.
