@@ -36,15 +36,6 @@ struct Net {
   }
 };
 
-// The requests of that kind.
-std::vector<Request> asked(const flow::BehaviorProbe& p, Kind kind) {
-  std::vector<Request> out;
-  for (std::uint8_t i = 0; i < p.action.request_count; ++i) {
-    if (p.action.requests[i].kind == kind) out.push_back(p.action.requests[i]);
-  }
-  return out;
-}
-
 bool is_true(const Net& net, const char* name, std::string_view task = "*") {
   flow::BehaviorProbe p = net.probe_of(name);
   p.set_text("task", task).step();

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdlib>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -46,6 +48,15 @@ inline const flow::Behavior& behavior(std::string_view name) {
 /// A probe of that behavior.
 inline flow::BehaviorProbe probe(std::string_view name) {
   return flow::BehaviorProbe(behavior(name));
+}
+
+/// The requests of that kind that were asked for.
+inline std::vector<percept::Request> asked(const flow::BehaviorProbe& p, percept::Request::Kind kind) {
+  std::vector<percept::Request> out;
+  for (std::uint8_t i = 0; i < p.action.request_count; ++i) {
+    if (p.action.requests[i].kind == kind) out.push_back(p.action.requests[i]);
+  }
+  return out;
 }
 
 /// On wires: the first `count` readings of the cycle.

@@ -131,3 +131,31 @@ test("the same box finds units, places, steps and files", async () => {
   await (await find("step 1", /^Step 1/)).press("Escape");
   await (await find("democ.odl", /democ\.odl.*open text/)).press("Escape");
 });
+
+test("a unit shares places that were clicked one after the other, and Why? says who has which", async () => {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.startRobots();
+  await console.select("scouts");
+  await console.panel("Mission");
+  await page.keyboard.press("o");
+  await console.clickMap(420, 300);
+  const order = page.getByRole("dialog", { name: "Command" });
+  await order.getByRole("radio", { name: "Visit" }).click();
+  await order.getByText("1 place", { exact: true }).waitFor();
+  await console.clickMap(300, 240);
+  await console.clickMap(250, 420);
+  await order.getByText("3 places", { exact: true }).waitFor();
+  await order.getByRole("button", { name: "Take the last one back" }).click();
+  await order.getByText(/^UNIT scouts VISIT \d+ \d+ \d+ \d+$/).waitFor();
+  await order.getByRole("radio", { name: "Patrol" }).click();
+  await order.getByText(/^UNIT scouts PATROL \d+ \d+ \d+ \d+$/).waitFor();
+  await order.getByRole("radio", { name: "Visit" }).click();
+  await order.getByRole("button", { name: "Send" }).click();
+  await order.waitFor({ state: "detached" });
+  const typed = console.steps.getByRole("listitem").filter({ hasText: "typed" });
+  await typed.filter({ hasText: "VISIT" }).waitFor();
+  await console.select("robot 1");
+  await page.getByRole("tab", { name: /Why/ }).click();
+  await page.getByText(/of 2 parts \d are done and \d on offer/).first().waitFor();
+});

@@ -11,6 +11,8 @@ const kCommand: MouseCommand = {
   technique: "",
   speed: 0,
   heading: 45,
+  more: [],
+  swath: 0,
 };
 
 const textOf = (c: Partial<MouseCommand>) => mdlText({ ...kCommand, ...c });
@@ -34,6 +36,22 @@ describe("mdlText", () => {
     expect(textOf({ ...all, task: "SWEEPTO", formation: "" })).toEqual({
       text: "UNIT scouts SWEEPTO 310 205 TECHNIQUE Traveling SPEED 3",
     });
+  });
+
+  it("writes several places where the task takes them", () => {
+    const more = [{ reference: "PP-B" }, { x: 1.5, y: 2 }];
+    expect(textOf({ task: "VISIT", more })).toEqual({ text: "UNIT scouts VISIT 310 205 PP-B 1.5 2" });
+    expect(textOf({ task: "MOVETO", more, heading: null, formation: "" })).toEqual({
+      text: "UNIT scouts MOVETO 310 205",
+    });
+    expect(textOf({ task: "PATROL", more: [] })).toHaveProperty("error");
+  });
+
+  it("searches areas, by their names", () => {
+    expect(textOf({ task: "SEARCH", place: { reference: "OBJ-Field" }, swath: 20 })).toEqual({
+      text: "UNIT scouts SEARCH OBJ-Field SWATH 20",
+    });
+    expect(textOf({ task: "SEARCH" })).toHaveProperty("error");
   });
 
   it("names robots by their numbers", () => {

@@ -29,7 +29,8 @@ const kRows = [
     takesHeading: true,
     takesTechnique: true,
     takesSpeed: true,
-    needsLine: false,
+    takesSwath: false,
+    place: "place",
   },
   {
     task: "OCCUPY",
@@ -39,7 +40,8 @@ const kRows = [
     takesHeading: true,
     takesTechnique: false,
     takesSpeed: false,
-    needsLine: false,
+    takesSwath: false,
+    place: "place",
   },
   {
     task: "SWEEPTO",
@@ -49,7 +51,8 @@ const kRows = [
     takesHeading: false,
     takesTechnique: true,
     takesSpeed: true,
-    needsLine: false,
+    takesSwath: false,
+    place: "place",
   },
   {
     task: "FOLLOW",
@@ -59,7 +62,8 @@ const kRows = [
     takesHeading: false,
     takesTechnique: true,
     takesSpeed: true,
-    needsLine: true,
+    takesSwath: false,
+    place: "line",
   },
   {
     task: "TELEOPERATE",
@@ -69,7 +73,8 @@ const kRows = [
     takesHeading: false,
     takesTechnique: false,
     takesSpeed: true,
-    needsLine: false,
+    takesSwath: false,
+    place: "place",
   },
   {
     task: "RALLY",
@@ -79,7 +84,41 @@ const kRows = [
     takesHeading: false,
     takesTechnique: false,
     takesSpeed: true,
-    needsLine: false,
+    takesSwath: false,
+    place: "place",
+  },
+  {
+    task: "VISIT",
+    label: "Visit",
+    help: "A robot goes to each of these places",
+    takesFormation: false,
+    takesHeading: false,
+    takesTechnique: false,
+    takesSpeed: true,
+    takesSwath: false,
+    place: "places",
+  },
+  {
+    task: "SEARCH",
+    label: "Search",
+    help: "Its robots look at all of an area",
+    takesFormation: false,
+    takesHeading: false,
+    takesTechnique: false,
+    takesSpeed: true,
+    takesSwath: true,
+    place: "area",
+  },
+  {
+    task: "PATROL",
+    label: "Patrol",
+    help: "Its robots go round these places, evenly spread",
+    takesFormation: false,
+    takesHeading: false,
+    takesTechnique: false,
+    takesSpeed: true,
+    takesSwath: false,
+    place: "places",
   },
   // [[end]]
 ] as const;
@@ -94,8 +133,9 @@ export interface TaskInfo {
   readonly takesHeading: boolean;
   readonly takesTechnique: boolean;
   readonly takesSpeed: boolean;
-  /** The place is a line, told by its name. */
-  readonly needsLine: boolean;
+  readonly takesSwath: boolean;
+  /** What stands behind the word: one place, several, or one of which a line or an area is wanted, by its name. */
+  readonly place: "place" | "places" | "line" | "area";
 }
 
 /** What units can be told with the mouse, in the order of menus; `tools/tables` writes it from src/mlab/mission/tasks.h. */
@@ -114,6 +154,8 @@ export interface MouseCommand {
   readonly robots: readonly number[];
   readonly task: TaskName;
   readonly place: MdlPlace;
+  /** Of tasks that take several places: those behind the first one. */
+  readonly more: readonly MdlPlace[];
   /** Empty: the clause is left out. */
   readonly formation: FormationName | "";
   readonly technique: TechniqueName | "";
@@ -121,16 +163,22 @@ export interface MouseCommand {
   readonly speed: number;
   /** Degrees counter-clockwise from east; null: where it goes. */
   readonly heading: number | null;
+  /** [m]; 0 and less: the usual one, the clause is left out. */
+  readonly swath: number;
 }
 
 /** The line, or what is missing, as a sentence. Clauses that the task doesn't take are left out. */
 export function mdlText(command: MouseCommand): { text: string } | { error: string } {
   const { robots } = command;
   if (command.units.length === 0 && robots.length === 0) return { error: "Select a unit or robots first." };
-  const place = placeText(command.place);
-  if (place === null) return { error: "This place has no name that MDL could write." };
   const info = taskInfo(command.task);
-  if (info.needsLine && !("reference" in command.place)) return { error: "Choose a line to follow." };
+  const places = [command.place, ...(info.place === "places" ? command.more : [])].map(placeText);
+  if (places.includes(null)) return { error: "This place has no name that MDL could write." };
+  const place = places.join(" ");
+  if (info.place === "line" && !("reference" in command.place)) return { error: "Choose a line to follow." };
+  if (info.place === "area" && !("reference" in command.place)) return { error: "Choose an area to search." };
+  if (command.task === "PATROL" && places.length < 2)
+    return { error: "Click the places to go round, one after the other." };
   const lines: string[] = [];
   if (robots.length > 0)
     lines.push(
@@ -149,6 +197,7 @@ function clauses(command: MouseCommand, info: TaskInfo): string {
   if (info.takesFormation && command.formation !== "") parts.push(`FORMATION ${command.formation}`);
   if (info.takesTechnique && command.technique !== "") parts.push(`TECHNIQUE ${command.technique}`);
   if (info.takesSpeed && command.speed > 0) parts.push(`SPEED ${mdlNumber(command.speed)}`);
+  if (info.takesSwath && command.swath > 0) parts.push(`SWATH ${mdlNumber(command.swath)}`);
   if (info.takesHeading && command.heading !== null) parts.push(`HEADING ${mdlNumber(command.heading, 1)}`);
   return parts.map((p) => ` ${p}`).join("");
 }

@@ -7,6 +7,7 @@
 #include "mlab/assist/statement_candidates.h"
 #include "mlab/lang/mdl/token.h"
 #include "mlab/mission/maneuver.h"
+#include "mlab/mission/search.h"
 #include "mlab/mission/tasks.h"
 #include "mlab/percept/formation_names.h"
 
@@ -196,7 +197,7 @@ class MissionCompleter {
     }
     const bool has_fence = is_written(begin, mission::info(mission::FailsafeCondition::kOutside).word);
     if (has_fence && count() == begin + 1) {
-      places(false);
+      places(any);
       return true;
     }
     if (is_written(count() - 1, "AFTER")) return true;
@@ -296,11 +297,24 @@ class MissionCompleter {
       return;
     }
     if (count() == at + 1) {
-      places(*task == mission::Task::kFollow);
+      const std::string_view wanted = mission::info(*task).place;
+      places([&](const overlay::ControlMeasure& measure) {
+        return wanted == "line" ? measure.is_line() : wanted != "area" || !mission::area_of(measure).empty();
+      });
       return;
     }
+    if (mission::info(*task).place == "places" && is_places(at + 1)) places(any);
     const std::size_t behind_place = at + (token(at + 1).kind == TokenKind::kNumber ? 3 : 2);
     if (count() >= behind_place) clauses(*task);
+  }
+
+  // Whether from there on nothing else stands.
+  bool is_places(std::size_t from) const {
+    for (std::size_t i = from; i < count(); ++i) {
+      const TokenKind kind = token(i).kind;
+      if (kind != TokenKind::kName && kind != TokenKind::kString && kind != TokenKind::kNumber) return false;
+    }
+    return true;
   }
 
   void units() {
@@ -325,10 +339,12 @@ class MissionCompleter {
     }
   }
 
-  void places(bool only_lines) {
+  static bool any(const overlay::ControlMeasure& /*measure*/) { return true; }
+  template <class Fits>
+  void places(const Fits& fits) {
     if (names_.map == nullptr) return;
     for (const overlay::ControlMeasure& measure : names_.map->measures) {
-      if (only_lines && !measure.is_line()) continue;
+      if (!fits(measure)) continue;
       const std::string kind(overlay::keyword(measure.kind));
       const std::string full = kind + '-' + measure.name;
       const bool is_found = overlay::find_measure(*names_.map, full) == &measure;
@@ -350,7 +366,7 @@ class MissionCompleter {
         techniques();
         return;
       case Word::kPhaseLine:
-        places(false);
+        places(any);
         return;
       case Word::kUntil:
         out_.add("TIMEOUT", "keyword",

@@ -132,8 +132,9 @@ bool parse_text(std::string_view text, void* out) {
 constexpr std::array<std::string_view, 2> kTruths = {"false", "true"};
 constexpr std::array<std::string_view, 3> kReferences = {"unit-center", "leader", "neighbor"};
 static_assert(!base::is_enumerator<static_cast<FormationReference>(kReferences.size())>());
-constexpr std::array<std::string_view, 8> kTasks = {"none",    "start",  "moveto", "teleoperate",
-                                                    "sweepto", "follow", "occupy", "stop"};
+constexpr std::array<std::string_view, 11> kTasks = {"none",    "start",  "moveto", "teleoperate",
+                                                     "sweepto", "follow", "occupy", "stop",
+                                                     "visit",   "search", "patrol"};
 static_assert(!base::is_enumerator<static_cast<Task>(kTasks.size())>());
 
 template <const auto& kRows>

@@ -55,6 +55,8 @@ void stop_robots(Turn& turn, Run& run) {
 void order_robots(Turn& turn, Run& run) {
   run.lines.resize(run.command->phase_lines.size());
   for (PlannedPart& planned : plan_parts(turn.state, run)) {
+    if (!planned.warning.empty())
+      warn(turn, fmt::format("{}{}", owner_prefix(turn.state, run.owner), planned.warning), run.owner);
     Part part;
     part.goal = planned.end;
     part.ahead = planned.ahead;
@@ -188,7 +190,7 @@ effect::Order order_of(const Group& group) {
   order.sequence = group.sequence;
   order.task = group.task;
   order.goal = group.goal;
-  if (group.task == percept::Task::kFollow) order.route = c.route;
+  if (percept::has_route(group.task)) order.route = c.route;
   order.formation = formation_of(c);
   order.heading = c.heading.value_or(0.0);
   order.has_heading = c.heading.has_value();

@@ -101,7 +101,8 @@ struct UnitCommand {
   std::string place_name;          ///< as written; `310 205` for coordinates; empty for STOP
   geom::Point goal;                ///< [m, world]
   double radius = 0.0;             ///< RALLY: who is so near to the goal has arrived [m]
-  std::vector<geom::Point> route;  ///< FOLLOW [m, world]
+  std::vector<geom::Point> route;  ///< FOLLOW; VISIT and PATROL: the places; SEARCH: the outline [m, world]
+  double swath = 0.0;              ///< SEARCH: what a robot sees at once is so wide [m]
   geom::Offset start_step;         ///< START: from one robot to the next [m]
   percept::Formation formation = percept::Formation::kNone;
   bool has_formation = false;  ///< a FORMATION clause was written

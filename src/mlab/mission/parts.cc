@@ -1,17 +1,17 @@
 #include "mlab/mission/parts.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "mlab/geom/pose.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/lanes.h"
+#include "mlab/mission/parameter.h"
+#include "mlab/mission/search.h"
 #include "mlab/mission/tasks.h"
 
 namespace mlab::mission {
@@ -25,18 +25,10 @@ constexpr double kRoomToPass =
 
 double spacing_of(const State& state, base::RobotId first) {
   if (state.options.spacing > 0.0) return state.options.spacing;
-  const Mission& mission = *state.mission;
-  const auto robot = std::ranges::find(mission.robots, first, &Robot::id);
-  if (robot == mission.robots.end() || robot->type >= mission.types.size()) return kDefaultSpacing;
-  double spacing = kDefaultSpacing;
-  for (const RobotParameter& parameter : mission.types[robot->type].parameters) {
-    if (parameter.key != "formation_spacing") continue;
-    double value = 0.0;
-    const std::string_view text = parameter.value;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc{} && std::isfinite(value) && value > 0.0) spacing = value;
-  }
-  return spacing;
+  const RobotType* type = type_of(*state.mission, first);
+  const double spacing =
+      type == nullptr ? 0.0 : number_parameter(*type, "formation_spacing", kDefaultSpacing);
+  return spacing > 0.0 ? spacing : kDefaultSpacing;
 }
 
 std::vector<std::vector<base::RobotId>> halves(const std::vector<base::RobotId>& members) {
@@ -232,6 +224,16 @@ std::vector<PlannedPart> plan_parts(const State& state, Run& run) {
     for (const base::RobotId id : run.needed)
       alone.push_back({.members = {id}, .command = run.command, .goal = goal, .end = goal});
     return alone;
+  }
+  if (run.command->task == Task::kSearch) {
+    SearchWay way = plan_search(*state.mission, *run.command, run.needed);
+    UnitCommand own = *run.command;
+    own.route = std::move(way.route);
+    return {{.members = run.needed,
+             .command = CommandRef{std::make_shared<const UnitCommand>(std::move(own))},
+             .goal = goal,
+             .end = goal,
+             .warning = std::move(way.warning)}};
   }
   if (!can_divide(run)) return {{.members = run.needed, .command = run.command, .goal = goal, .end = goal}};
   run.technique = run.command->technique;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mlab/mission/turn.h"
@@ -15,6 +16,7 @@ struct PlannedPart {
   geom::Point end;                     ///< its own place at the end [m, world]
   double ahead = 0.0;                  ///< of the unit's goal, where the part ends [m]
   bool halted = false;
+  std::string warning = {};  ///< for the operator; empty: none
 };
 
 /// Divides the unit as its command's technique needs it, and sets the run's technique and distance.

@@ -28,14 +28,29 @@ void mark_done(State& state, RobotState& robot) {
   run.stalled = 0.0;
 }
 
+// What robots share is done for all of them when one says so: the others may be lost.
+void mark_done_for_all(State& state, std::uint32_t run) {
+  for (const base::RobotId id : std::vector(state.runs[run].needed)) {
+    RobotState* robot = find_robot(state, id);
+    if (robot != nullptr && robot->run == run && !robot->done) mark_done(state, *robot);
+  }
+}
+
 void take_order_report(State& state, RobotState& robot, const RobotReport& report) {
   if (report.sequence != robot.sequence || robot.sequence == 0) return;
   if (std::isfinite(report.remaining) && report.remaining >= 0.0) robot.remaining = report.remaining;
-  if (report.remaining < robot.best - kProgress) {
+  // Where robots share something, what is left for one of them may grow; it gives up by itself what it comes
+  // no nearer to.
+  const bool is_shared = info(state.runs[robot.run].command->task).is_shared;
+  if (report.remaining < robot.best - kProgress || (is_shared && report.remaining > robot.best + kProgress)) {
     robot.best = report.remaining;
     state.runs[robot.run].stalled = 0.0;
   }
-  if (report.done) mark_done(state, robot);
+  if (!report.done) return;
+  if (is_shared)
+    mark_done_for_all(state, robot.run);
+  else
+    mark_done(state, robot);
 }
 
 // Whether a robot is at the place of a RALLY, which it may leave again as long as others are under way.
@@ -93,6 +108,9 @@ void take_report(State& state, const RobotReport& report) {
     case Task::kFollow:
     case Task::kSweepTo:
     case Task::kTeleoperate:
+    case Task::kVisit:
+    case Task::kSearch:
+    case Task::kPatrol:
       if (report.is_running) take_order_report(state, *robot, report);
   }
 }
@@ -123,9 +141,13 @@ void warn_of_silent_robots(Turn& turn, const std::vector<base::RobotId>& silent)
   for (const auto& [run, robots] : by_run) {
     const bool one = robots.size() == 1;
     const std::uint32_t owner = s.runs[run].owner;
+    const std::string_view consequence = info(s.runs[run].command->task).is_shared
+                                             ? (one ? "goes on without it" : "goes on without them")
+                                             : (one ? "waits for it" : "waits for them");
+    const std::string_view but = info(s.runs[run].command->task).is_shared ? "" : "but ";
     warn(turn,
-         fmt::format("{}{} {} running, but `{}` waits for {}", owner_prefix(s, owner), robots_text(robots),
-                     one ? "is not" : "are not", s.commands[s.runs[run].record].text, one ? "it" : "them"),
+         fmt::format("{}{} {} running, {}`{}` {}", owner_prefix(s, owner), robots_text(robots),
+                     one ? "is not" : "are not", but, s.commands[s.runs[run].record].text, consequence),
          owner);
   }
 }

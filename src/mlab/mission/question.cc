@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "mlab/mission/clock.h"
@@ -50,7 +51,8 @@ void ask_to_proceed(Turn& turn, Run& run) {
     complete(turn, run);
     return;
   }
-  std::string text = fmt::format("{} occupying {}. Proceed?", asking_text(s, run), run.command->place_name);
+  const std::string_view doing = run.command->task == Task::kPatrol ? "patrolling" : "occupying";
+  std::string text = fmt::format("{} {} {}. Proceed?", asking_text(s, run), doing, run.command->place_name);
   if (s.options.proceed_all) {
     message(turn, text + " yes");
     complete(turn, run);

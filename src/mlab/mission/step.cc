@@ -41,7 +41,9 @@ void end_in_time(Turn& turn, Run& run) {
 // Ends the run, or asks for clearance, where its robots are done. @return whether it ended
 bool settle(Turn& turn, Run& run) {
   const State& s = turn.state;
-  const bool robots_done = run.missing == 0;
+  const Task task = run.command->task;
+  // A PATROL goes on until its time comes.
+  const bool robots_done = run.missing == 0 && !(task == Task::kPatrol && run.ends);
   const bool steers = run.phase == Run::Phase::kTeleoperation;
   if (!steers && run.phase != Run::Phase::kRobots) return false;
   if (steers && (robots_done || s.options.proceed_all)) {
@@ -50,7 +52,7 @@ bool settle(Turn& turn, Run& run) {
               run.owner);
     complete(turn, run);
   } else if (!steers && robots_done && !holds_at_line(run)) {
-    if (run.command->task == Task::kOccupy)
+    if (task == Task::kOccupy || task == Task::kPatrol)
       ask_to_proceed(turn, run);
     else
       complete(turn, run);

@@ -10,7 +10,19 @@
 namespace mlab::mission {
 
 /// What a unit is commanded to do. Its robots are told a percept::Task.
-enum class Task : std::uint8_t { kStart, kMoveTo, kOccupy, kFollow, kSweepTo, kTeleoperate, kStop, kRally };
+enum class Task : std::uint8_t {
+  kStart,
+  kMoveTo,
+  kOccupy,
+  kFollow,
+  kSweepTo,
+  kTeleoperate,
+  kStop,
+  kRally,
+  kVisit,
+  kSearch,
+  kPatrol
+};
 
 /// What may stand behind a command, by the numbers of `mdl::Clause::what`.
 enum class ClauseKind : std::uint8_t {
@@ -20,7 +32,8 @@ enum class ClauseKind : std::uint8_t {
   kHeading,
   kPhaseLine,
   kOnCompletion,
-  kUntil
+  kUntil,
+  kSwath
 };
 /// Several of them: a bit for each.
 using Clauses = std::uint32_t;
@@ -49,6 +62,7 @@ inline constexpr std::array kClauses = {
                "`ON-COMPLETION MESSAGE text`: told when the command is done"},
     ClauseInfo{ClauseKind::kUntil, "UNTIL", "when it is done, wherever the unit is then",
                "when an OCCUPY proceeds by itself, or another command is done"},
+    ClauseInfo{ClauseKind::kSwath, "SWATH", "metres that a robot sees at once", ""},
 };
 static_assert(base::has_a_row_for_each<kClauses, &ClauseInfo::kind>());
 
@@ -65,6 +79,7 @@ struct TaskInfo {
   std::string_view done;       ///< when it is done, for the documentation
   Clauses clauses = 0;
   bool awaits_report = false;     ///< it is done when the programs of its robots say so
+  bool is_shared = false;         ///< its robots share it: it is done when one of them says so
   std::string_view label = {};    ///< in the console's menu; empty: it isn't there
   std::string_view purpose = {};  ///< a line for that menu
   int menu = 0;                   ///< its place in that menu
@@ -168,6 +183,58 @@ inline constexpr std::array kTasks = {
              .label = "Steer",
              .purpose = "Steer the unit yourself, with the place as objective",
              .menu = 5},
+    TaskInfo{
+        .task = Task::kVisit,
+        .told = percept::Task::kVisit,
+        .word = "VISIT",
+        .place = "places",
+        .help = "a robot goes to each of these places",
+        .meaning =
+            "one of the unit's robots goes to each of the places. They share them by auction, so that all "
+            "their ways together are short; what a lost one had goes to the others. A line stands for its "
+            "points",
+        .done = "a robot was at each of the places",
+        .clauses = ClauseKind::kSpeed | ClauseKind::kOnCompletion | ClauseKind::kUntil,
+        .awaits_report = true,
+        .is_shared = true,
+        .label = "Visit",
+        .purpose = "A robot goes to each of these places",
+        .menu = 7},
+    TaskInfo{
+        .task = Task::kSearch,
+        .told = percept::Task::kSearch,
+        .word = "SEARCH",
+        .place = "area",
+        .help = "its robots look at all of an area",
+        .meaning =
+            "goes in lanes over all that is free of an outline, or of a place with a diameter, so that a "
+            "robot comes within half a SWATH (10 m where none is said) of everything. The robots share the "
+            "lanes by auction; what a lost or late one had goes to the others",
+        .done = "all lanes were gone along",
+        .clauses = ClauseKind::kSpeed | ClauseKind::kOnCompletion | ClauseKind::kUntil | ClauseKind::kSwath,
+        .awaits_report = true,
+        .is_shared = true,
+        .label = "Search",
+        .purpose = "Its robots look at all of an area",
+        .menu = 8},
+    TaskInfo{
+        .task = Task::kPatrol,
+        .told = percept::Task::kPatrol,
+        .word = "PATROL",
+        .place = "places",
+        .help = "its robots go round these places, evenly spread",
+        .meaning =
+            "goes round the places in their order, and from the last to the first again; the robots spread "
+            "evenly, and again when one is lost. A line stands for its points",
+        .done =
+            "the time of UNTIL has come; without one, a robot has gone round once and the operator clears "
+            "it: they go on until then",
+        .clauses = ClauseKind::kSpeed | ClauseKind::kOnCompletion | ClauseKind::kUntil,
+        .awaits_report = true,
+        .is_shared = true,
+        .label = "Patrol",
+        .purpose = "Its robots go round these places, evenly spread",
+        .menu = 9},
     TaskInfo{.task = Task::kStop,
              .told = percept::Task::kStop,
              .word = "STOP",

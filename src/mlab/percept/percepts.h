@@ -126,15 +126,24 @@ enum class Task : std::uint8_t {
   kSweepTo = 4,
   kFollow = 5,
   kOccupy = 6,
-  kStop = 7
+  kStop = 7,
+  kVisit = 8,   ///< its unit shares the points of the route among its robots
+  kSearch = 9,  ///< its unit shares the pieces of the route; where a point stands twice the next piece begins
+  kPatrol = 10  ///< its unit goes round the route, evenly spread
 };
+/// The last one, for who checks numbers from outside.
+inline constexpr Task kLastTask = Task::kPatrol;
+/// Whether its order has a route.
+constexpr bool has_route(Task task) {
+  return task == Task::kFollow || task == Task::kVisit || task == Task::kSearch || task == Task::kPatrol;
+}
 
 /// The command in force, as its robot sees it. Places are world points.
 struct Order {
   std::uint32_t sequence = 0;  ///< grows with every new command; 0: no command yet
   Task task = Task::kNone;
   geom::Point goal;                    ///< [m, world]
-  std::span<const geom::Point> route;  ///< FOLLOW: the polyline, first point first [m, world]
+  std::span<const geom::Point> route;  ///< of those that have one, first point first [m, world]
   Formation formation = Formation::kNone;
   FormationReference reference = FormationReference::kUnitCenter;
   double heading = 0.0;  ///< formation heading that the command fixes [rad, world], where has_heading

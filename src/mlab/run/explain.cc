@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -7,6 +8,8 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/run/mission_run.h"
+#include "mlab/schema/contracts.h"
+#include "mlab/schema/errands.h"
 
 namespace mlab::run {
 namespace {
@@ -101,6 +104,27 @@ void add_edges(const overlay::Area& area, geom::Point at, std::vector<std::strin
   at_edge(area.height - at.y, "north");
 }
 
+// Who has which part of a command that the unit shares, and what this robot has of it.
+void add_errands(const fleet::Fleet& fleet, const fleet::FleetRobot& robot, std::vector<std::string>& out) {
+  const percept::Percepts percepts = fleet.perceive_at(robot, fleet.pose(robot), {}, 0.0);
+  if (percepts.order.task != percept::Task::kVisit && percepts.order.task != percept::Task::kSearch) return;
+  const schema::Errands errands(percepts);
+  std::map<std::uint32_t, std::string> taken;
+  std::size_t offered = 0;
+  for (std::size_t i = 0; i < errands.count(); ++i) {
+    const percept::Contract* contract = errands.contract(i);
+    if (contract == nullptr || contract->state == percept::ContractState::kOpen) ++offered;
+    if (contract == nullptr || !schema::is_held(*contract, contract->contractor)) continue;
+    std::string& text = taken[contract->contractor.value];
+    text += fmt::format("{}number {} at ({:.1f}, {:.1f}) since {:.1f} s", text.empty() ? "" : ", ", i + 1,
+                        contract->place.x, contract->place.y, contract->time);
+  }
+  out.push_back(fmt::format(
+      "  of {} parts {} are done and {} on offer; each goes to the robot whose way it makes least longer",
+      errands.count(), errands.done(), offered));
+  for (const auto& [id, text] : taken) out.push_back(fmt::format("  robot {} has {}", id, text));
+}
+
 }  // namespace
 
 std::vector<std::string> MissionRun::explain(const fleet::FleetRobot& robot) const {
@@ -118,6 +142,7 @@ std::vector<std::string> MissionRun::explain(const fleet::FleetRobot& robot) con
   if (const std::string failsafe = fleet_->failsafe(robot); !failsafe.empty())
     out.front() = fmt::format("{}: `{}` acts, until another order or the stick; its program wants: {}", who,
                               failsafe, what_moves(robot));
+  add_errands(*fleet_, robot, out);
   add_nearest_disc(world(), at, robot.capabilities.radius, out);
   add_nearest_wall(world(), at, out);
   add_edges(mission().overlay.mission_area(), at, out);

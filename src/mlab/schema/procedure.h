@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "mlab/base/angle.h"
 #include "mlab/base/hash.h"
@@ -24,6 +25,7 @@
 #include "mlab/schema/constants.h"
 #include "mlab/schema/contracts.h"
 #include "mlab/schema/drive.h"
+#include "mlab/schema/errands.h"
 #include "mlab/schema/field.h"
 #include "mlab/schema/formation_offset.h"
 #include "mlab/schema/historic.h"

@@ -22,6 +22,15 @@ TaskProgress task_progress(percept::Task task, const TaskMeasures& measures) {
       const TaskProgress place = within(measures.station_error, measures.slop);
       return {arrival.done && place.done, arrival.remaining + place.remaining};
     }
+    case percept::Task::kVisit:
+    case percept::Task::kSearch:
+    case percept::Task::kPatrol: {
+      // No length, but something that changes as long as the robot comes on.
+      constexpr double kNoLength = -1e9;
+      constexpr double kErrand = 1e6;
+      const double on_way = std::clamp(measures.way_remaining, 0.0, 0.5 * kErrand);
+      return {measures.errands_left <= 0.0, kNoLength + kErrand * measures.errands_left + on_way};
+    }
     case percept::Task::kTeleoperate:
       return {measures.teleoperation_complete, measures.teleoperation_complete ? 0.0 : 1.0};
     case percept::Task::kStart:

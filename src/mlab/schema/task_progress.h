@@ -13,6 +13,7 @@ struct TaskMeasures {
   double slop = 0.0;             ///< the station error that an OCCUPY allows [m]
   bool teleoperation_complete = false;
   double way_remaining = -1.0;  ///< to the robot's place at the end of a planned way; below 0: none is [m]
+  double errands_left = 1.0;    ///< parts of a command that the unit shares which are not done
 };
 
 /// What task_progress says.

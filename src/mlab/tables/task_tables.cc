@@ -64,7 +64,8 @@ constexpr auto kKeyword = [](const percept::FormationInfo& one) { return one.key
 
 // What stands behind the word, in the grammar.
 std::string_view place_in_grammar(std::string_view place) {
-  if (place == "line") return "name";
+  if (place == "line" || place == "area") return "name";
+  if (place == "places") return "place { place }";
   return place == "place [dx dy]" ? "place [ NUMBER NUMBER ]" : place;
 }
 
@@ -80,10 +81,12 @@ std::string task_rows() {
   for (const TaskInfo* one : in_order) {
     out += fmt::format(
         "  {{\n    task: \"{}\",\n    label: \"{}\",\n    help: \"{}\",\n    takesFormation: {},\n"
-        "    takesHeading: {},\n    takesTechnique: {},\n    takesSpeed: {},\n    needsLine: {},\n  }},\n",
+        "    takesHeading: {},\n    takesTechnique: {},\n    takesSpeed: {},\n    takesSwath: {},\n"
+        "    place: \"{}\",\n  }},\n",
         one->word, one->label, one->purpose, mission::takes(one->task, ClauseKind::kFormation),
         mission::takes(one->task, ClauseKind::kHeading), mission::takes(one->task, ClauseKind::kTechnique),
-        mission::takes(one->task, ClauseKind::kSpeed), one->place == "line");
+        mission::takes(one->task, ClauseKind::kSpeed), mission::takes(one->task, ClauseKind::kSwath),
+        one->place);
   }
   return out;
 }

@@ -7,13 +7,25 @@ import { headingOfDrag } from "../../core/mdl_text.ts";
 import { kindOfWire } from "../../core/measure_kinds.ts";
 import { drawNote } from "../map_editing/handles.ts";
 import type { Session } from "../session/session.ts";
-import { dropGoal, type Goal, orderStore } from "./order_store.ts";
+import { dropGoal, type Goal, orderStore, takesMorePlaces } from "./order_store.ts";
 import { nearestLine, type PlaceMeasure, snapToCenter } from "./places.ts";
 
 const kDragStart = 6; // px
 const kSnap = 16; // px
 const kLineReach = 10; // px
 const kArrow = 72; // px, of the heading before it is dragged further
+
+function drawCross({ context }: Pen, at: Point, color: string): void {
+  context.strokeStyle = color;
+  context.lineWidth = 2;
+  context.beginPath();
+  context.arc(at.x, at.y, 9, 0, 2 * Math.PI);
+  context.moveTo(at.x - 14, at.y);
+  context.lineTo(at.x + 14, at.y);
+  context.moveTo(at.x, at.y - 14);
+  context.lineTo(at.x, at.y + 14);
+  context.stroke();
+}
 
 /** The measures of the Scene, at the same indices. Those of unknown kinds have no points. */
 export function placeMeasures(session: Session): PlaceMeasure[] {
@@ -48,8 +60,13 @@ export class CommandTool implements MapTool {
     this.downAt = pointer.screen;
     this.tip = null;
     const goal = this.goalAt(pointer.world);
-    const { task } = orderStore.getState();
-    orderStore.setState({ goal, heading: null, isDragging: true, task: this.taskFor(task, goal) });
+    const order = orderStore.getState();
+    if (takesMorePlaces(order)) {
+      this.downAt = null;
+      orderStore.setState({ more: [...order.more, goal] });
+      return;
+    }
+    orderStore.setState({ goal, more: [], heading: null, isDragging: true, task: this.taskFor(order.task, goal) });
   }
 
   move(pointer: MapPointer, isDragging: boolean): void {
@@ -87,7 +104,7 @@ export class CommandTool implements MapTool {
   }
 
   key(event: KeyboardEvent): boolean {
-    const { goal, heading } = orderStore.getState();
+    const { goal, more, heading } = orderStore.getState();
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     if (event.key === "Escape" && goal) {
       dropGoal();
@@ -95,7 +112,15 @@ export class CommandTool implements MapTool {
     }
     if (event.key === "Enter" && !goal && this.map) {
       // Without a pointer: the goal is where the middle of the map is.
-      orderStore.setState({ goal: this.goalAt({ x: this.map.camera.x, y: this.map.camera.y }), heading: null });
+      orderStore.setState({
+        goal: this.goalAt({ x: this.map.camera.x, y: this.map.camera.y }),
+        more: [],
+        heading: null,
+      });
+      return true;
+    }
+    if (event.key === "Backspace" && more.length > 0) {
+      orderStore.setState({ more: more.slice(0, -1) });
       return true;
     }
     if (goal && (event.key === "<" || event.key === ">")) {
@@ -107,22 +132,20 @@ export class CommandTool implements MapTool {
   }
 
   draw(pen: Pen): void {
-    const { goal, heading } = orderStore.getState();
+    const { goal, more, heading } = orderStore.getState();
     const shown = goal ?? this.hover;
     if (!shown) return;
-    const { context, palette, camera } = pen;
+    const { palette, camera } = pen;
     const at = camera.toScreen(shown.at);
-    context.strokeStyle = goal ? palette.goal : fade(palette.goal, 0.6);
-    context.lineWidth = 2;
-    context.beginPath();
-    context.arc(at.x, at.y, 9, 0, 2 * Math.PI);
-    context.moveTo(at.x - 14, at.y);
-    context.lineTo(at.x + 14, at.y);
-    context.moveTo(at.x, at.y - 14);
-    context.lineTo(at.x, at.y + 14);
-    context.stroke();
+    drawCross(pen, at, goal ? palette.goal : fade(palette.goal, 0.6));
     if (!goal && shown.measure !== null) drawNote(pen, { x: at.x, y: at.y - 28 }, this.nameOf(shown.measure));
     if (goal && heading !== null) this.drawHeading(pen, at, heading);
+    more.forEach((one, i) => {
+      const place = camera.toScreen(one.at);
+      drawCross(pen, place, palette.goal);
+      drawNote(pen, { x: place.x, y: place.y - 28 }, String(i + 2));
+    });
+    if (goal && more.length > 0) drawNote(pen, { x: at.x, y: at.y - 28 }, "1");
   }
 
   private drawHeading(pen: Pen, at: Point, heading: number): void {
@@ -159,9 +182,10 @@ export class CommandTool implements MapTool {
     return { at: points.length > 0 ? centreOf(points) : world, measure, line };
   }
 
-  /** Following needs a line: where there is none the unit just moves there. */
+  /** Following needs a line, and searching a place of the map: where there is none the unit just moves there. */
   private taskFor(task: ReturnType<typeof orderStore.getState>["task"], goal: Goal) {
-    return task === "FOLLOW" && goal.line === null ? "MOVETO" : task;
+    if (task === "FOLLOW" && goal.line === null) return "MOVETO";
+    return task === "SEARCH" && goal.measure === null ? "MOVETO" : task;
   }
 
   private nameOf(measure: number): string {

@@ -92,6 +92,8 @@ function OrderWindow({ map, goal }: { map: MapView; goal: Goal }) {
     technique: order.technique,
     speed: order.speed,
     heading: order.heading,
+    more: order.more.map((one) => placeOf(session, one, scene?.origin)),
+    swath: order.swath,
   });
   const text = "text" in built ? built.text : "";
   const preview = usePreview(text);
@@ -143,7 +145,8 @@ interface OrderFieldsProps {
 function OrderFields({ line, place, onPlace }: OrderFieldsProps) {
   const order = useStore(orderStore);
   const info = taskInfo(order.task);
-  const tasks = kTasks.filter((t) => t.task !== "FOLLOW" || line !== null);
+  const isOnPlace = order.goal !== null && order.goal.measure !== null;
+  const tasks = kTasks.filter((t) => (t.place !== "line" || line !== null) && (t.place !== "area" || isOnPlace));
   return (
     <>
       <Segments<TaskName>
@@ -161,6 +164,28 @@ function OrderFields({ line, place, onPlace }: OrderFieldsProps) {
           </div>
         ) : (
           <PlaceEntry place={place} onPlace={onPlace} />
+        )}
+        {info.place === "places" && (
+          <div className="field wide">
+            <span className="label">{order.more.length === 0 ? "1 place" : `${order.more.length + 1} places`}</span>
+            <span className="small">
+              Click the map for another one.
+              {order.more.length > 0 && (
+                <Button tone="quiet" onPress={() => orderStore.setState({ more: order.more.slice(0, -1) })}>
+                  Take the last one back
+                </Button>
+              )}
+            </span>
+          </div>
+        )}
+        {info.takesSwath && (
+          <NumberEntry
+            label="Swath [m]"
+            value={order.swath}
+            min={0}
+            whenZero="10"
+            onCommit={(swath) => orderStore.setState({ swath })}
+          />
         )}
         {info.takesFormation && (
           <SelectEntry<FormationName | "">

@@ -33,6 +33,8 @@ class CompletionTest : public ::testing::Test {
     place(overlay::MeasureKind::kPassagePoint, "Charlie");
     place(overlay::MeasureKind::kPhaseLine, "Red");
     place(overlay::MeasureKind::kAxis, "long way");
+    place(overlay::MeasureKind::kObjective, "Field");
+    mission->overlay.measures.back().points.push_back({5, 9});
     mission_ = mission;
   }
 
@@ -82,7 +84,12 @@ TEST_F(CompletionTest, FollowsATypedCommandFromWordToWord) {
   EXPECT_EQ(typed("UNIT \"r|"), Strings{"\"right wing\""});
   EXPECT_EQ(begin_, 5U);
   EXPECT_EQ(typed("UNIT left m|"), Strings{"MOVETO"});
-  EXPECT_EQ(typed("UNIT left MOVETO |"), (Strings{"SP-Start", "PP-Charlie", "PL-Red", "\"AXIS-long way\""}));
+  EXPECT_EQ(typed("UNIT left MOVETO |"),
+            (Strings{"SP-Start", "PP-Charlie", "PL-Red", "\"AXIS-long way\"", "OBJ-Field"}));
+  EXPECT_EQ(typed("UNIT left SEARCH |"), Strings{"OBJ-Field"});
+  EXPECT_TRUE(has(typed("UNIT left VISIT PP-Charlie |"), "PL-Red"));
+  EXPECT_TRUE(has(typed("UNIT left VISIT PP-Charlie 3 4 |"), "SPEED"));
+  EXPECT_FALSE(has(typed("UNIT left VISIT PP-Charlie SPEED 3 |"), "PL-Red"));
   EXPECT_EQ(typed("UNIT left MOVETO ch|"), Strings{"PP-Charlie"});
   EXPECT_EQ(typed("UNIT left MOVETO pp-|"), Strings{"PP-Charlie"});
   EXPECT_EQ(typed("UNIT left FOLLOW |"), (Strings{"PL-Red", "\"AXIS-long way\""}));
@@ -166,10 +173,11 @@ RC_GTEST_PROP(Completion, SurvivesAnyTextAndCursor, (const std::string& text, st
 TEST_F(CompletionTest, EveryCommandThatIsOfferedIsUnderstood) {
   for (const std::string& action : typed("UNIT pair |")) {
     if (action == "<") continue;
+    const std::string place = action == "STOP" ? "" : action == "SEARCH" ? " OBJ-Field" : " PL-Red";
     Check check;
-    check.set_text("UNIT pair " + action + (action == "STOP" ? "" : " PL-Red"));
+    check.set_text("UNIT pair " + action + place);
     EXPECT_FALSE(check_text(check, mission_.get(), "", {}).has_errors()) << action;
-    const auto clauses = typed("UNIT pair " + action + " PL-Red |");
+    const auto clauses = typed("UNIT pair " + action + place + " |");
     for (const std::string& clause : clauses) {
       Check with;
       const std::string more = clause == "FORMATION"       ? " Line"
@@ -178,10 +186,10 @@ TEST_F(CompletionTest, EveryCommandThatIsOfferedIsUnderstood) {
                                : clause == "ON-COMPLETION" ? " MESSAGE done"
                                : clause == "AND"           ? " UNIT left STOP"
                                                            : "";
-      const bool wants_number = clause == "SPEED" || clause == "HEADING" || clause == "UNTIL";
+      const bool wants_number =
+          clause == "SPEED" || clause == "SWATH" || clause == "HEADING" || clause == "UNTIL";
       with.set_text(check.text() + " " + clause + more + (wants_number ? " 5" : ""));
-      if (clause == "AND")
-        with.set_text("UNIT left " + action + (action == "STOP" ? "" : " PL-Red") + " AND SET SHOW-TRAILS");
+      if (clause == "AND") with.set_text("UNIT left " + action + place + " AND SET SHOW-TRAILS");
       EXPECT_FALSE(check_text(with, mission_.get(), "", {}).has_errors()) << with.text();
     }
   }

@@ -107,9 +107,11 @@ void Alarms::look_for_progress(const run::MissionRun& run, const FleetRobot& rob
                                EventLog& log) {
   const percept::OrderStatus& status = robot.action.status;
   const fleet::Group* group = run.fleet().group(robot);
+  // Who shares something may have nothing to do, and gives up by itself what it comes no nearer to.
+  const bool is_shared = group != nullptr && group->command && mission::info(group->command->task).is_shared;
   const bool should_move =
-      group != nullptr && !group->order.halted && status.sequence == group->order.sequence && !status.done &&
-      group->order.task != percept::Task::kTeleoperate && std::isfinite(status.remaining) &&
+      group != nullptr && !is_shared && !group->order.halted && status.sequence == group->order.sequence &&
+      !status.done && group->order.task != percept::Task::kTeleoperate && std::isfinite(status.remaining) &&
       run.state().mode == mission::State::Mode::kRunning;
   if (!should_move || status.sequence != known.sequence || status.remaining < known.best - kProgress) {
     known.sequence = status.sequence;

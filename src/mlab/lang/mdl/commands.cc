@@ -13,6 +13,7 @@
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/lang/mdl/token.h"
 #include "mlab/lang/mdl/unknown_measure.h"
+#include "mlab/mission/search.h"
 
 namespace mlab::mdl {
 namespace {
@@ -20,6 +21,10 @@ namespace {
 constexpr double kMinutesOfDay = 24.0 * 60.0;
 constexpr double kRadiusOfAPoint = 25.0;    // where no place says another [m]
 constexpr std::size_t kMaxPhaseLines = 50;  // of one command
+constexpr std::size_t kMaxPlaces = 100;     // of one command
+constexpr std::size_t kMostNamedPlaces = 4;
+constexpr double kDefaultSwath = 10.0;  // [m]
+constexpr double kMinSwath = 0.1;       // [m]
 // Of all FOLLOW commands and phase lines together; each has points of its own.
 constexpr std::size_t kMaxPoints = 4'000'000;
 
@@ -68,7 +73,11 @@ std::optional<mission::Command> CommandReader::unit_command(const statement::Uni
   mission::UnitCommand out;
   const bool is_known = read_addressee(action, out);
   out.task = action.task;
-  if (action.location) read_location(action, out);
+  if (!action.more.empty() || mission::info(action.task).place == "places")
+    read_places(action, out);
+  else if (action.location)
+    read_location(action, out);
+  if (action.task == mission::Task::kSearch) out.swath = kDefaultSwath;
   if (action.step) check_lengths({&action.step->x, &action.step->y}, "an offset", source_, diagnostics_);
   if (action.step) out.start_step = {action.step->x.value, action.step->y.value};
   std::array<const Clause*, std::variant_size_v<decltype(Clause::what)>> seen{};
@@ -127,6 +136,7 @@ void CommandReader::read_location(const statement::UnitAction& action, mission::
       diagnostics_.error("not-a-line", place(location.span),
                          "FOLLOW takes the name of a line, found coordinates");
     }
+    if (action.task == mission::Task::kSearch) read_area(location, out);
     return;
   }
   out.place_name = location.name->text;
@@ -135,6 +145,65 @@ void CommandReader::read_location(const statement::UnitAction& action, mission::
   out.goal = found->center();
   if (action.task == mission::Task::kRally) out.radius = radius_of(*found);
   if (follows) read_route(action, *found, out);
+  if (action.task == mission::Task::kSearch) read_area(location, out);
+}
+
+// Of VISIT and PATROL.
+void CommandReader::read_places(const statement::UnitAction& action, mission::UnitCommand& out) {
+  const std::size_t errors = diagnostics_.error_count();
+  add_place(*action.location, out);
+  for (const Location& location : action.more) add_place(location, out);
+  const std::size_t count = 1 + action.more.size();
+  out.goal_place = place(
+      {action.location->span.begin, (action.more.empty() ? *action.location : action.more.back()).span.end});
+  for (std::size_t i = 0; i < std::min(count, kMostNamedPlaces); ++i) {
+    const Location& one = i == 0 ? *action.location : action.more[i - 1];
+    if (i > 0) out.place_name += ' ';
+    out.place_name += one.name ? one.name->text : one.x.text + " " + one.y.text;
+  }
+  if (count > kMostNamedPlaces) out.place_name += fmt::format(" and {} more", count - kMostNamedPlaces);
+  if (!out.route.empty()) out.goal = out.route.front();
+  if (diagnostics_.error_count() > errors) return;
+  const std::string_view word = mission::info(action.task).word;
+  if (out.route.size() > kMaxPlaces) {
+    diagnostics_.error(
+        "too-many-places", out.goal_place,
+        fmt::format("{} takes at most {} places, here are {}", word, kMaxPlaces, out.route.size()));
+  } else if (action.task == mission::Task::kPatrol &&
+             std::ranges::all_of(out.route, [&](geom::Point p) { return p == out.route.front(); })) {
+    diagnostics_.error("one-place", out.goal_place, "PATROL goes from place to place, and this is only one");
+  }
+}
+
+// A line stands for its points.
+void CommandReader::add_place(const Location& location, mission::UnitCommand& out) {
+  if (!location.name) {
+    check_lengths({&location.x, &location.y}, "a coordinate", source_, diagnostics_);
+    out.route.push_back(geom::Point{location.x.value, location.y.value} + scope_.mission.overlay.origin);
+    return;
+  }
+  const overlay::ControlMeasure* found = find_place(*location.name);
+  if (found == nullptr) return;
+  if (!found->is_line() || found->points.size() < 2)
+    out.route.push_back(found->center());
+  else if (may_copy(found->points.size(), location.span))
+    out.route.insert(out.route.end(), found->points.begin(), found->points.end());
+}
+
+// Of SEARCH.
+void CommandReader::read_area(const Location& location, mission::UnitCommand& out) {
+  const overlay::ControlMeasure* found = location.name ? scope_.places.find(location.name->text) : nullptr;
+  if (location.name && found == nullptr) return;
+  if (found != nullptr) out.route = mission::area_of(*found);
+  if (!out.route.empty()) {
+    may_copy(out.route.size(), location.span);
+    return;
+  }
+  auto& error =
+      diagnostics_.error("not-an-area", place(location.span),
+                         fmt::format("SEARCH takes an area, {} has none", in_backticks(out.place_name)));
+  error.hints.emplace_back("an area is an outline of three points or more, or a place with a diameter");
+  if (found != nullptr) error.notes.push_back({"it is declared here", found->place});
 }
 
 void CommandReader::read_route(const statement::UnitAction& action, const overlay::ControlMeasure& line,
@@ -189,6 +258,14 @@ void CommandReader::read_clause(const Clause& clause, mission::UnitCommand& out)
     read_phase_line(*line, clause.span, out);
   } else if (const auto* message = std::get_if<clause::OnCompletion>(&clause.what)) {
     out.on_completion = message->message.text;
+  } else if (const auto* swath = std::get_if<clause::Swath>(&clause.what)) {
+    out.swath = swath->width.value;
+    check_lengths({&swath->width}, "a swath", source_, diagnostics_);
+    if (swath->width.value < kMinSwath) {
+      diagnostics_.error("number-out-of-range", place(swath->width.span),
+                         fmt::format("a swath is at least {:g} m wide, found {}", kMinSwath,
+                                     in_backticks(swath->width.text)));
+    }
   } else if (const auto* until = std::get_if<clause::Until>(&clause.what)) {
     out.until = read_time(until->moment);
   }

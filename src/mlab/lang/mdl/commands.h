@@ -34,6 +34,9 @@ class CommandReader {
   void read_location(const statement::UnitAction& action, mission::UnitCommand& out);
   void read_route(const statement::UnitAction& action, const overlay::ControlMeasure& line,
                   mission::UnitCommand& out);
+  void read_places(const statement::UnitAction& action, mission::UnitCommand& out);
+  void add_place(const Location& location, mission::UnitCommand& out);
+  void read_area(const Location& location, mission::UnitCommand& out);
   void read_clause(const Clause& clause, mission::UnitCommand& out);
   void read_phase_line(const clause::PhaseLine& clause, text::Span span, mission::UnitCommand& out);
   std::optional<mission::MissionTime> read_time(const Moment& moment);

@@ -10,6 +10,7 @@
 
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/mission/command.h"
+#include "mlab/mission/parameter.h"
 
 namespace mlab::mdl {
 namespace {
@@ -36,18 +37,6 @@ std::string described(const std::vector<base::RobotId>& members, percept::Format
 }
 
 }  // namespace
-
-double number_parameter(const mission::RobotType& type, std::string_view key, double otherwise) {
-  double out = otherwise;
-  for (const mission::RobotParameter& p : type.parameters) {
-    if (p.key != key) continue;
-    double value = 0.0;
-    const char* end = p.value.data() + p.value.size();
-    const auto read = std::from_chars(p.value.data(), end, value);
-    out = read.ec == std::errc{} && read.ptr == end && std::isfinite(value) ? value : otherwise;
-  }
-  return out;
-}
 
 bool leads_through(geom::Segment way, const overlay::ControlMeasure& gap) {
   if (gap.points.size() != 2) return false;
@@ -85,8 +74,8 @@ FormationCheck::FormationCheck(const mission::Mission& mission, text::Diagnostic
     if (measure.kind == overlay::MeasureKind::kGap) gaps_.push_back(&measure);
   }
   for (const mission::RobotType& type : mission.types) {
-    spacing_of_type_.push_back(number_parameter(type, "formation_spacing", kDefaultSpacing));
-    radius_of_type_.push_back(number_parameter(type, "robot_radius", kDefaultBodyRadius));
+    spacing_of_type_.push_back(mission::number_parameter(type, "formation_spacing", kDefaultSpacing));
+    radius_of_type_.push_back(mission::number_parameter(type, "robot_radius", kDefaultBodyRadius));
   }
   for (const mission::Robot& robot : mission.robots) type_of_robot_[robot.id.value] = robot.type;
 }
@@ -157,7 +146,8 @@ void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segmen
 
 bool FormationCheck::plans_ways(const mission::RobotType& type) const {
   const bool is_planned = mission_.options.plans_ways.value_or(true);
-  return type.program == "robot" && number_parameter(type, "plans_ways", is_planned ? 1.0 : 0.0) != 0.0;
+  return type.program == "robot" &&
+         mission::number_parameter(type, "plans_ways", is_planned ? 1.0 : 0.0) != 0.0;
 }
 
 // Two or three robots that only react find their places all the same; more push each other off their stations
@@ -166,8 +156,8 @@ void FormationCheck::check_room(const mission::UnitCommand& command) {
   const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
   if (command.task != mission::Task::kOccupy || members.size() < 4) return;
   const mission::RobotType& type = mission_.types[type_of_robot_.at(members[0].value)];
-  const double spacing = number_parameter(type, "formation_spacing", kDefaultSpacing);
-  const double sphere = number_parameter(type, "occupy_avoid_robot_sphere", kDefaultRobotSphere);
+  const double spacing = mission::number_parameter(type, "formation_spacing", kDefaultSpacing);
+  const double sphere = mission::number_parameter(type, "occupy_avoid_robot_sphere", kDefaultRobotSphere);
   const bool is_written =
       std::any_of(type.parameters.begin(), type.parameters.end(),
                   [](const auto& parameter) { return parameter.key == "formation_spacing"; });
@@ -189,7 +179,7 @@ void FormationCheck::check_meeting(const mission::UnitCommand& command) {
   if (members.size() < 2) return;
   const mission::RobotType& type = mission_.types[type_of_robot_.at(members[0].value)];
   if (type.program != "robot" || plans_ways(type)) return;
-  const double sphere = number_parameter(type, "navigation_avoid_robot_sphere", kDefaultRobotSphere);
+  const double sphere = mission::number_parameter(type, "navigation_avoid_robot_sphere", kDefaultRobotSphere);
   const double spheres_across = 2.0 * command.radius / sphere + 1.0;
   if (sphere <= 0.0 || static_cast<double>(members.size()) <= kDensest * spheres_across * spheres_across)
     return;

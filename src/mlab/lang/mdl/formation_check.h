@@ -54,10 +54,6 @@ class FormationCheck {
   std::map<std::pair<percept::Formation, int>, std::vector<geom::Offset>> stations_;  // at spacing 1
 };
 
-/// A number of a robot type's parameters; `otherwise` where it has none of that name or its value is no
-/// number.
-double number_parameter(const mission::RobotType& type, std::string_view key, double otherwise);
-
 /// True where the way leads through the gap rather than past or across it.
 bool leads_through(geom::Segment way, const overlay::ControlMeasure& gap);
 

@@ -73,6 +73,7 @@ void Parser::action(statement::UnitAction& out, const std::string& whom) {
   out.task = *task;
   advance();
   if (!mission::info(out.task).place.empty()) out.location = location(command_word(out.task));
+  if (mission::info(out.task).place == "places") more_places(out);
   if (out.task == Task::kStart) start_step(out);
   clauses(out);
 }
@@ -94,6 +95,15 @@ Location Parser::location(std::string_view command) {
   out.name = name(fmt::format("the place of {}", command));
   out.span = out.name->span;
   return out;
+}
+
+// Those behind the first one.
+void Parser::more_places(statement::UnitAction& action) {
+  const auto at_place = [&] {
+    if (token().first_on_line && is_robots(token())) return false;
+    return at(TokenKind::kName) || at(TokenKind::kString) || at(TokenKind::kNumber);
+  };
+  while (!stuck_ && at_place()) action.more.push_back(location(command_word(action.task)));
 }
 
 // START's way from one robot to the next.
@@ -167,6 +177,10 @@ std::optional<Clause> Parser::parsed_clause(Task task) {
     begin(ClauseKind::kHeading);
     take(TokenKind::kEquals);
     out.what = clause::Heading{number("a heading in degrees")};
+  } else if (t.kind == TokenKind::kName && equal_without_case(written(t), "SWATH")) {
+    begin(ClauseKind::kSwath);
+    take(TokenKind::kEquals);
+    out.what = clause::Swath{number("a width in metres")};
   } else if (at(Word::kPhaseLine)) {
     begin(ClauseKind::kPhaseLine);
     out.what = phase_line();

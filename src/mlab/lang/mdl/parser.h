@@ -115,6 +115,7 @@ class Parser {
   statement::UnitAction robots_action(bool says_robots);
   void robot_numbers(statement::UnitAction& action);
   void action(statement::UnitAction& action, const std::string& whom);
+  void more_places(statement::UnitAction& action);
   void start_step(statement::UnitAction& action);
   Location location(std::string_view command);
   void clauses(statement::UnitAction& action);

@@ -18,6 +18,7 @@
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/lang/mdl/way_check.h"
 #include "mlab/mission/command.h"
+#include "mlab/mission/parameter.h"
 #include "mlab/mission/wording.h"
 
 namespace mlab::mdl {
@@ -181,6 +182,10 @@ class PlanCheck {
 
   void check_way(const UnitCommand& c) {
     if (c.task == Task::kStop) return;
+    if (mission::info(c.task).is_shared) {
+      for (const base::RobotId id : robots_of(c)) state(id).has_place = false;  // who knows who goes where
+      return;
+    }
     if (c.task == Task::kStart) {
       check_start(c);
     } else if (c.task == Task::kFollow) {
@@ -205,7 +210,18 @@ class PlanCheck {
     return c.task != Task::kStop && c.task != Task::kStart && c.task != Task::kTeleoperate;
   }
   void check_goal(const UnitCommand& c) {
-    if (has_goal(c)) goals_.check(c, body_radius(robots_of(c).front()));
+    if (!has_goal(c) || c.task == Task::kSearch) return;
+    const double radius = body_radius(robots_of(c).front());
+    if (!mission::info(c.task).is_shared) {
+      goals_.check(c, radius);
+      return;
+    }
+    UnitCommand one = c;
+    for (const geom::Point place : c.route) {
+      one.goal = place;
+      one.place_name = fmt::format("{:g} {:g}", place.x, place.y);
+      goals_.check(one, radius);
+    }
   }
 
   void check_start(const UnitCommand& c) {
@@ -263,14 +279,15 @@ class PlanCheck {
   double success_radius(const UnitCommand& c) const {
     if (c.task == Task::kRally) return c.radius;
     const std::uint32_t type = mission_.robots[index_of_.at(robots_of(c).front().value)].type;
-    return number_parameter(mission_.types[type], "navigation_success_radius", kDefaultSuccessRadius);
+    return mission::number_parameter(mission_.types[type], "navigation_success_radius",
+                                     kDefaultSuccessRadius);
   }
 
   double body_radius(base::RobotId id) const {
     const std::uint32_t type = mission_.robots[index_of_.at(id.value)].type;
     while (radius_of_type_.size() <= type) {
-      radius_of_type_.push_back(
-          number_parameter(mission_.types[radius_of_type_.size()], "robot_radius", kDefaultBodyRadius));
+      radius_of_type_.push_back(mission::number_parameter(mission_.types[radius_of_type_.size()],
+                                                          "robot_radius", kDefaultBodyRadius));
     }
     return radius_of_type_[type];
   }

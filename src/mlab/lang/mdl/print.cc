@@ -119,6 +119,7 @@ struct ClausePrinter {
     return "ON-COMPLETION MESSAGE " + text_of(c.message);
   }
   std::string operator()(const clause::Until& c) const { return "UNTIL " + text_of(c.moment); }
+  std::string operator()(const clause::Swath& c) const { return "SWATH " + c.width.text; }
 };
 
 // The parameters on the statement's own line where they are few, else one per line.
@@ -226,6 +227,7 @@ struct StatementPrinter {
     for (const Number& robot : s.robots) out += " " + robot.text;
     out += fmt::format(" {}", text_of(s.task));
     if (s.location) out += " " + text_of(*s.location);
+    for (const Location& place : s.more) out += " " + text_of(place);
     if (s.step) out += fmt::format(" {} {}", s.step->x.text, s.step->y.text);
     for (const Clause& c : s.clauses) out += " " + std::visit(ClausePrinter{}, c.what);
     return out;

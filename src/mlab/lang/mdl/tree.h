@@ -79,12 +79,15 @@ struct OnCompletion {
 struct Until {
   Moment moment;
 };
+struct Swath {
+  Number width;
+};
 }  // namespace clause
 
 struct Clause {
   text::Span span;
   std::variant<clause::Formation, clause::Technique, clause::Speed, clause::Heading, clause::PhaseLine,
-               clause::OnCompletion, clause::Until>
+               clause::OnCompletion, clause::Until, clause::Swath>
       what;
 };
 
@@ -173,6 +176,7 @@ struct UnitAction {
   bool says_robots = false;    ///< ROBOTS, not ROBOT
   mission::Task task = mission::Task::kMoveTo;
   std::optional<Location> location;  ///< none for STOP
+  std::vector<Location> more;        ///< VISIT, PATROL: the places behind the first one
   std::optional<StartStep> step;     ///< START
   std::vector<Clause> clauses;
 };

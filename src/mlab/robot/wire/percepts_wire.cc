@@ -13,7 +13,6 @@ namespace mlab::robot_wire {
 namespace {
 
 constexpr auto kLastObjectStyle = percept::ObjectStyle::kContainer;
-constexpr auto kLastTask = percept::Task::kStop;
 constexpr auto kLastFormation = percept::Formation::kSweep;
 constexpr auto kLastReference = percept::FormationReference::kNeighbor;
 
@@ -435,7 +434,7 @@ std::optional<std::string> DecodedPercepts::decode_ground(const wire::Ground& me
 }
 
 std::optional<std::string> DecodedPercepts::decode_order(const wire::Order& message) {
-  if (!fits(message.task(), kLastTask) || !fits(message.formation(), kLastFormation) ||
+  if (!fits(message.task(), percept::kLastTask) || !fits(message.formation(), kLastFormation) ||
       !fits(message.reference(), kLastReference))
     return "the order has a task, formation or reference that there is not";
   if (!are(message.route().x_size(), message.route().y_size()))

@@ -1,0 +1,272 @@
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../testing/library_probe.h"
+#include "mlab/schema/errands.h"
+#include "mlab/ways/planned_way.h"
+
+namespace mlab::library_test {
+namespace {
+
+using percept::Contract;
+using percept::ContractState;
+using percept::Request;
+using percept::SharedPlace;
+using percept::Task;
+using Kind = percept::Request::Kind;
+
+// Robot 2 of two stands at (10, 0), under the third order of the mission.
+struct Unit {
+  std::vector<geom::Point> route;
+  Task task = Task::kVisit;
+  std::vector<Contract> contracts = {};
+  std::vector<SharedPlace> places = {};
+
+  void tell(flow::BehaviorProbe& p) const {
+    p.percepts.id = {2};
+    p.percepts.pose = {{10, 0}, 0.0};
+    p.percepts.order.sequence = 3;
+    p.percepts.order.task = task;
+    p.percepts.order.route = route;
+    p.percepts.unit.size = 2;
+    p.percepts.unit.rank = 1;
+    p.percepts.contracts = contracts;
+    p.percepts.shared_places = places;
+  }
+  flow::BehaviorProbe probe_of(const char* name) const {
+    flow::BehaviorProbe p = probe(name);
+    tell(p);
+    return p;
+  }
+  // The part of that number, from 0.
+  Unit& add(std::uint32_t errand, ContractState state, std::uint32_t contractor = 0) {
+    percept::Percepts percepts;
+    percepts.order.sequence = 3;
+    percepts.order.task = task;
+    percepts.order.route = route;
+    const schema::Errands errands(percepts);
+    contracts.push_back(
+        {errands.task(), {errand + 1}, errands.way(errand).front(), state, {1}, {contractor}, {}, 0.0});
+    return *this;
+  }
+};
+
+TEST(NextErrand, AnnouncesWhatNobodyHasAnnouncedItsOwnSliceFirst) {
+  Unit unit{.route = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}}};
+  unit.add(3, ContractState::kOpen);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.step();
+  const std::vector<Request> told = asked(p, Kind::kAnnounceTask);
+  ASSERT_EQ(told.size(), 4U);
+  EXPECT_EQ(told[0].object.value, 2U);
+  EXPECT_EQ(told[1].object.value, 1U);
+  EXPECT_EQ(told[0].place, (geom::Point{1, 0}));
+  EXPECT_EQ(p.output<geom::Point>(), (geom::Point{10, 0})) << "nothing is awarded to it";
+}
+
+TEST(NextErrand, BidsForThePlaceThatAddsLeastToItsWay) {
+  Unit unit{.route = {{0, 0}, {14, 3}, {30, 0}}};
+  unit.add(0, ContractState::kOpen).add(1, ContractState::kOpen).add(2, ContractState::kAwarded, 1);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.step();
+  ASSERT_EQ(asked(p, Kind::kBid).size(), 1U);
+  EXPECT_EQ(asked(p, Kind::kBid)[0].object.value, 2U);
+  EXPECT_GE(asked(p, Kind::kBid)[0].cost, 5.0);
+  EXPECT_LE(asked(p, Kind::kBid)[0].cost, 6.0);
+}
+
+TEST(NextErrand, GoesToWhatItHasAndTellsThatItIsDone) {
+  Unit unit{.route = {{0, 0}, {14, 3}}};
+  unit.add(0, ContractState::kDone, 1).add(1, ContractState::kAwarded, 2);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.set("left", 0.5).step();
+  EXPECT_EQ(p.output<geom::Point>(), (geom::Point{14, 3}));
+  EXPECT_EQ(asked(p, Kind::kStartTask).size(), 1U);
+  EXPECT_TRUE(asked(p, Kind::kFinishTask).empty()) << "what was left is not about this place";
+  p.action = {};
+  p.set("left", 3.0).step();
+  EXPECT_TRUE(asked(p, Kind::kFinishTask).empty());
+  p.action = {};
+  p.set("left", 1.9).step();
+  EXPECT_EQ(asked(p, Kind::kFinishTask).size(), 1U);
+  EXPECT_EQ(asked(p, Kind::kKeepTasks).size(), 1U);
+}
+
+TEST(NextErrand, GivesBackWhatNoWayLeadsTo) {
+  Unit unit{.route = {{14, 3}}};
+  unit.add(0, ContractState::kStarted, 2);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.step();
+  p.action = {};
+  p.set("left", schema::kClosedEnd + 1.0).step();
+  ASSERT_EQ(asked(p, Kind::kRenegeTask).size(), 1U);
+  // On offer again, it does not bid; nor announces it when nobody else wanted it.
+  for (const ContractState state : {ContractState::kOpen, ContractState::kFailed}) {
+    unit.contracts[0].state = state;
+    unit.contracts[0].contractor = {};
+    p.action = {};
+    unit.tell(p);
+    p.step();
+    EXPECT_EQ(p.action.request_count, 0);
+  }
+}
+
+TEST(NextErrand, GivesBackWhatItComesNoNearerTo) {
+  Unit unit{.route = {{14, 3}}};
+  unit.add(0, ContractState::kStarted, 2);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  int cycles = 0;
+  while (asked(p, Kind::kRenegeTask).empty() && cycles < 2000) {
+    p.action = {};
+    p.set("left", 50.0).step();
+    ++cycles;
+  }
+  EXPECT_NEAR(cycles * p.percepts.cycle_duration, 60.0, 1.0);
+}
+
+TEST(NextErrand, GoesAlongThePieceOfASearch) {
+  Unit unit{.route = {{0, 0}, {0, 9}, {0, 9}, {20, 9}, {20, 0}}, .task = Task::kSearch};
+  unit.add(0, ContractState::kDone, 1).add(1, ContractState::kAwarded, 2);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  const std::vector<geom::Point> legs = {{0, 9}, {20, 9}, {20, 0}};
+  for (const geom::Point leg : legs) {
+    p.action = {};
+    p.set("left", 9.0);
+    p.step();
+    p.step();
+    EXPECT_EQ(p.output<geom::Point>(), leg);
+    EXPECT_TRUE(asked(p, Kind::kFinishTask).empty());
+    p.set("left", 0.1).step();
+  }
+  EXPECT_EQ(asked(p, Kind::kFinishTask).size(), 1U);
+}
+
+TEST(NextErrand, TakesOnePieceAtATimeAndLeavesOthersTheirShares) {
+  // Eight pieces, from one side to the other: two shares.
+  Unit unit{.route = {}, .task = Task::kSearch};
+  for (int i = 0; i < 8; ++i) {
+    unit.route.push_back({i * 10.0, 0});
+    unit.route.push_back({i * 10.0 + 10.0, 0});
+  }
+  for (std::uint32_t i = 0; i < 8; ++i) unit.add(i, ContractState::kOpen);
+  unit.contracts[0].state = ContractState::kDone;
+  unit.contracts[0].contractor = {1};
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.step();
+  ASSERT_EQ(asked(p, Kind::kBid).size(), 1U);
+  EXPECT_EQ(asked(p, Kind::kBid)[0].object.value, 5U) << "the next one belongs to the share of robot 1";
+  unit.contracts[4].state = ContractState::kAwarded;
+  unit.contracts[4].contractor = {2};
+  p.action = {};
+  unit.tell(p);
+  p.step();
+  EXPECT_TRUE(asked(p, Kind::kBid).empty());
+}
+
+TEST(ErrandsLeft, CountsThoseThatAreNotDone) {
+  Unit unit{.route = {{0, 0}, {14, 3}, {1, 1}}};
+  unit.add(0, ContractState::kDone, 1).add(1, ContractState::kAwarded, 2);
+  flow::BehaviorProbe p = unit.probe_of("ErrandsLeft");
+  p.step();
+  EXPECT_EQ(p.output<double>(), 2.0);
+}
+
+TEST(NextErrand, GoesRoundAndTellsWhereItIs) {
+  const Unit unit{.route = {{0, 0}, {20, 0}, {20, 20}}, .task = Task::kPatrol};
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.set("left", 9.0).step();
+  EXPECT_EQ(p.output<geom::Point>(), (geom::Point{20, 0})) << "the end of the nearest leg";
+  for (const geom::Point next : {geom::Point{20, 20}, {0, 0}, {20, 0}}) {
+    p.action = {};
+    p.set("left", 1.0).step();
+    p.set("left", 9.0).step();
+    EXPECT_EQ(p.output<geom::Point>(), next);
+  }
+  ASSERT_FALSE(asked(p, Kind::kSharePlace).empty());
+  const Request told = asked(p, Kind::kSharePlace)[0];
+  const auto at = schema::tour_place(p.percepts.order, {{2}, told.object, {}, told.place, 0.0});
+  ASSERT_TRUE(at);
+  EXPECT_EQ(at->leg, 1U);
+  EXPECT_FALSE(at->has_gone_round);
+  p.action = {};
+  p.set("left", 1.0).step();
+  EXPECT_TRUE(
+      schema::tour_place(p.percepts.order, {{2}, p.action.requests[0].object, {}, {}, 0.0})->has_gone_round);
+}
+
+TEST(ErrandPace, IsNothingForWhoHasNothing) {
+  Unit unit{.route = {{0, 0}, {14, 3}}};
+  unit.add(0, ContractState::kAwarded, 1);
+  for (const double pace : {0.0, 1.0}) {
+    flow::BehaviorProbe p = unit.probe_of("ErrandPace");
+    p.step();
+    EXPECT_EQ(p.output<double>(), pace);
+    unit.add(1, ContractState::kAwarded, 2);
+  }
+}
+
+TEST(ErrandPace, WaitsForWhoIsAheadUntilAllAreEvenlySpread) {
+  // Round 80 m; this one is at 10 of it.
+  Unit unit{.route = {{0, 0}, {20, 0}, {20, 20}, {0, 20}}, .task = Task::kPatrol};
+  percept::Order order;
+  order.sequence = 3;
+  order.route = unit.route;
+  const auto at = [&](std::uint32_t robot, std::size_t leg, geom::Point place, double time) {
+    unit.places.push_back({{robot}, schema::tour_code(order, {leg, false}), {}, place, time});
+  };
+  at(2, 1, {10, 0}, 100.0);
+  const auto pace = [&] {
+    flow::BehaviorProbe p = unit.probe_of("ErrandPace");
+    p.percepts.time = 100.0;
+    p.step();
+    return p.output<double>();
+  };
+  EXPECT_EQ(pace(), 1.0) << "alone";
+  at(3, 3, {10, 20}, 100.0);
+  EXPECT_EQ(pace(), 1.0) << "half a round ahead";
+  at(4, 1, {15, 0}, 100.0);
+  EXPECT_EQ(pace(), 0.2) << "close ahead";
+  unit.places.back().time = 90.0;
+  EXPECT_EQ(pace(), 1.0) << "who is silent does not count";
+}
+
+TEST(TellOfErrand, NamesAPlaceOnce) {
+  const Unit unit{.route = {}};
+  ways::PlannedWay way;
+  way.corners = {geom::Point{10, 0}, {13, 4}};
+  way.count = 2;
+  way.end = ways::WayEnd::kClosedOff;
+  flow::BehaviorProbe p = unit.probe_of("TellOfErrand");
+  const auto told = [&](geom::Point goal) {
+    p.action = {};
+    p.set("way", way).set("goal", goal).step();
+    return std::string(p.action.alert.data());
+  };
+  EXPECT_NE(told({50, 60}).find("(50, 60)"), std::string::npos);
+  EXPECT_EQ(told({50, 60}), "");
+  EXPECT_NE(told({20, 30}), "");
+  way.end = ways::WayEnd::kBesideGoal;
+  EXPECT_EQ(told({70, 30}), "");
+}
+
+TEST(WayLeft, IsFarWhereNoWayLeadsOn) {
+  const Unit unit{.route = {}};
+  ways::PlannedWay way;
+  way.corners = {geom::Point{10, 0}, {13, 4}};
+  way.count = 2;
+  for (const auto& [end, left] :
+       {std::pair{ways::WayEnd::kGoal, 5.0}, {ways::WayEnd::kClosedOff, 5.0 + schema::kClosedEnd}}) {
+    way.end = end;
+    flow::BehaviorProbe p = unit.probe_of("WayLeft");
+    p.set("way", way).set("goal", geom::Point{10, 100}).step();
+    EXPECT_EQ(p.output<double>(), left);
+    p.set("follows", false).step();
+    EXPECT_EQ(p.output<double>(), 100.0);
+  }
+}
+
+}  // namespace
+}  // namespace mlab::library_test

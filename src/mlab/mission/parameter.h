@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "mlab/mission/mission.h"
+
+namespace mlab::mission {
+
+/// The type of a robot; null where the mission has none of that number.
+inline const RobotType* type_of(const Mission& mission, base::RobotId id) {
+  const auto robot = std::ranges::find(mission.robots, id, &Robot::id);
+  return robot == mission.robots.end() || robot->type >= mission.types.size() ? nullptr
+                                                                              : &mission.types[robot->type];
+}
+
+/// What a type's parameter is set to, last; `otherwise` where it is not, or to what is no number.
+inline double number_parameter(const RobotType& type, std::string_view key, double otherwise) {
+  double out = otherwise;
+  for (const RobotParameter& parameter : type.parameters) {
+    if (parameter.key != key) continue;
+    double value = 0.0;
+    const char* end = parameter.value.data() + parameter.value.size();
+    const auto read = std::from_chars(parameter.value.data(), end, value);
+    out = read.ec == std::errc{} && read.ptr == end && std::isfinite(value) ? value : otherwise;
+  }
+  return out;
+}
+
+}  // namespace mlab::mission

@@ -1,0 +1,115 @@
+#include "mlab/mission/search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "mlab/mission/parameter.h"
+#include "mlab/overlay/barriers.h"
+#include "mlab/ways/coverage.h"
+
+namespace mlab::mission {
+namespace {
+
+constexpr std::size_t kPiecesOfARobot = 4;
+constexpr std::size_t kMostPieces = 128;
+constexpr int kSidesOfACircle = 32;
+constexpr double kWorthTelling = 0.98;  // a smaller share of the area that is seen
+constexpr double kOffWay = 0.15;        // a robot may be so far beside its lane [m]
+// As the standard robot has them [m].
+constexpr double kRadius = 0.2;
+constexpr double kMargin = 5.0;
+
+ways::Ground ground_of(const overlay::Overlay& map) {
+  ways::Ground out;
+  for (const overlay::ObstacleDisc& disc : map.obstacles) {
+    if (!disc.is_moving()) out.discs.push_back({disc.center, disc.radius});
+  }
+  for (const overlay::Barrier& one : overlay::barriers(map)) out.walls.push_back(one.segment);
+  const overlay::Area area = map.mission_area();
+  out.bounds = {0.0, 0.0, area.width, area.height};
+  return out;
+}
+
+// Cut into pieces of equal length; where one ends and the next begins the point stands twice.
+std::vector<geom::Point> cut(const std::vector<geom::Point>& way, std::size_t pieces) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += geom::distance(way[i - 1], way[i]);
+  const double piece = length / static_cast<double>(pieces);
+  std::vector<geom::Point> out = {way.front()};
+  double left = piece;
+  std::size_t cuts = 1;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    geom::Point from = way[i - 1];
+    for (double rest = geom::distance(from, way[i]); cuts < pieces && rest > left;
+         rest -= std::exchange(left, piece)) {
+      from = from + (way[i] - from) * (left / rest);
+      if (!(from == out.back())) out.push_back(from);
+      out.push_back(from);
+      ++cuts;
+    }
+    left -= geom::distance(from, way[i]);
+    if (!(way[i] == out.back())) out.push_back(way[i]);
+  }
+  return out;
+}
+
+std::string warning_of(const ways::Coverage& found, const UnitCommand& command) {
+  using End = ways::CoverageEnd;
+  switch (found.end) {
+    case End::kNothingToSearch:
+    case End::kUnusable:
+      return fmt::format("nothing of {} can be searched", command.place_name);
+    case End::kTooLarge:
+      return fmt::format("{} is too large for a swath of {:g} m: it is not searched", command.place_name,
+                         command.swath);
+    case End::kCovered:
+    case End::kPartly:
+      break;
+  }
+  const double seen = found.visible * found.seen;
+  if (seen >= kWorthTelling) return {};
+  return fmt::format(
+      "the robots will see {:.0f} % of {}: the rest is closed off, or too near to obstacles for a swath of "
+      "{:g} m",
+      100.0 * seen, command.place_name, command.swath);
+}
+
+}  // namespace
+
+std::vector<geom::Point> area_of(const overlay::ControlMeasure& measure) {
+  const overlay::MeasureInfo& kind = overlay::info(measure.kind);
+  if (kind.shape == overlay::MeasureShape::kRegion && measure.points.size() >= 3) return measure.points;
+  std::vector<geom::Point> out;
+  const bool is_round =
+      measure.points.size() == 1 && measure.size > 0.0 && kind.size == overlay::MeasureSize::kDiameter;
+  for (int i = 0; is_round && i < kSidesOfACircle; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSidesOfACircle;
+    out.push_back(measure.center() + geom::Offset{std::cos(angle), std::sin(angle)} * (measure.size / 2.0));
+  }
+  return out;
+}
+
+SearchWay plan_search(const Mission& mission, const UnitCommand& command,
+                      const std::vector<base::RobotId>& robots) {
+  const RobotType* type = type_of(mission, robots.front());
+  double clearance = kRadius + kMargin;
+  if (type != nullptr) {
+    clearance = std::max(number_parameter(*type, "robot_radius", kRadius), 0.0) +
+                std::max(number_parameter(*type, "avoid_obstacle_safety_margin", kMargin), 0.0);
+  }
+  const double swath = command.swath - 2.0 * std::min(kOffWay, 0.05 * command.swath);
+  const ways::Coverage found =
+      ways::coverage_route(command.route, ground_of(mission.overlay), clearance, swath);
+  SearchWay out;
+  out.warning = warning_of(found, command);
+  if (!found.waypoints.empty())
+    out.route = cut(found.waypoints, std::min(kMostPieces, kPiecesOfARobot * robots.size()));
+  return out;
+}
+
+}  // namespace mlab::mission

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mlab/mission/state.h"
+
+namespace mlab::mission {
+
+/// The outline of a place that can be searched: of a region, or of a place with a diameter. Empty for others
+/// [m].
+std::vector<geom::Point> area_of(const overlay::ControlMeasure& measure);
+
+/// The way by which a unit searches an area.
+struct SearchWay {
+  /// For as many robots: pieces of equal length, four for each robot. Where a point stands twice the next
+  /// piece begins. Empty where there is nothing to search [m, world].
+  std::vector<geom::Point> route;
+  std::string warning;  ///< what of the area will not be seen, and why; empty: nothing worth telling
+};
+
+/// Over all of the command's outline that is free of what the map shows, at the clearance that its first
+/// robot keeps.
+/// @param command  a SEARCH
+/// @param robots   who shares it, at least one
+/// @source  mlab/ways/coverage.h
+SearchWay plan_search(const Mission& mission, const UnitCommand& command,
+                      const std::vector<base::RobotId>& robots);
+
+}  // namespace mlab::mission

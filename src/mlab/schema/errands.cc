@@ -1,0 +1,346 @@
+#include "mlab/schema/errands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mlab/base/hash.h"
+#include "mlab/schema/contracts.h"
+#include "mlab/schema/requests.h"
+#include "mlab/schema/route.h"
+
+namespace mlab::schema {
+namespace {
+
+using percept::Contract;
+using percept::ContractState;
+using percept::Percepts;
+using percept::Request;
+using percept::Task;
+
+constexpr double kWait = 1.0;      // for bids [s]
+constexpr double kPatience = 5.0;  // with who is silent [s]
+
+// A piece of a SEARCH ends where a point stands twice.
+std::span<const geom::Point> piece(std::span<const geom::Point> route, std::size_t number) {
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= route.size(); ++i) {
+    if (i < route.size() && !(route[i] == route[i - 1])) continue;
+    if (number-- == 0) return route.subspan(begin, i - begin);
+    begin = i;
+  }
+  return {};
+}
+
+std::size_t piece_count(std::span<const geom::Point> route) {
+  std::size_t count = route.empty() ? 0 : 1;
+  for (std::size_t i = 1; i < route.size(); ++i) count += route[i] == route[i - 1] ? 1 : 0;
+  return count;
+}
+
+bool may_bid(const Contract& contract, base::RobotId robot) {
+  return contract.state == ContractState::kOpen && contract.reneged != robot;
+}
+
+// From the tour's first place [m]; the leg ends at its place.
+double way_round(std::span<const geom::Point> tour, std::size_t leg, geom::Point p) {
+  const geom::Point from = tour[(leg + tour.size() - 1) % tour.size()];
+  const geom::Point at = geom::nearest_point({from, tour[leg]}, p);
+  double out = geom::distance(from, at);
+  for (std::size_t i = 1; i <= (leg + tour.size() - 1) % tour.size(); ++i)
+    out += geom::distance(tour[i - 1], tour[i]);
+  return out;
+}
+
+double length_round(std::span<const geom::Point> tour) {
+  return route_length(tour) + geom::distance(tour.back(), tour.front());
+}
+
+// Of the box around them [m].
+double extent_of(std::span<const geom::Point> points) {
+  geom::Point low = points.empty() ? geom::Point{} : points.front();
+  geom::Point high = low;
+  for (const geom::Point p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return geom::distance(low, high);
+}
+
+constexpr std::uint32_t kLegBits = 8;
+// Of 20 random fields with 20 places and 5 robots all have ways of at most 1.14 times the shortest together,
+// and take two thirds of the time that the shortest take.
+constexpr double kFairness = 0.8;
+
+}  // namespace
+
+Errands::Errands(const Percepts& percepts) : order_(percepts.order) {
+  static constexpr std::uint64_t kName = base::hash_text("errand");
+  task_ = base::combine_bits(kName, order_.sequence);
+  count_ = order_.task == Task::kSearch ? piece_count(order_.route) : order_.route.size();
+  count_ = std::min(count_, kMostErrands);
+  for (const Contract& contract : percepts.contracts) {
+    const std::optional<std::size_t> errand = errand_of(contract);
+    if (!errand) continue;
+    contracts_[*errand] = &contract;
+    done_ += contract.state == ContractState::kDone ? 1 : 0;
+  }
+}
+
+std::span<const geom::Point> Errands::way(std::size_t errand) const {
+  if (errand >= count_) return {};
+  return order_.task == Task::kSearch ? piece(order_.route, errand) : order_.route.subspan(errand, 1);
+}
+
+std::optional<std::size_t> Errands::errand_of(const Contract& contract) const {
+  const std::uint32_t number = contract.object.value;
+  if (contract.task != task_ || number == 0 || number > count_) return std::nullopt;
+  return number - 1;
+}
+
+bool Errands::is_share_of_another(std::size_t errand, base::RobotId robot) const {
+  const std::size_t first = errand / kPiecesOfAShare * kPiecesOfAShare;
+  for (std::size_t i = first; i < std::min(first + kPiecesOfAShare, count_); ++i) {
+    const Contract* contract = contracts_[i];
+    if (contract != nullptr && contract->contractor.value != 0 && contract->contractor != robot) return true;
+  }
+  return false;
+}
+
+void LegWatch::head_for_next(double time) {
+  least_ = std::numeric_limits<double>::infinity();
+  nearer_at_ = time;
+}
+
+LegWatch::Verdict LegWatch::look(double left, double tolerance, double patience, double time) {
+  constexpr double kNearer = 0.5;  // [m]
+  if (left < least_ - kNearer) {
+    least_ = left;
+    nearer_at_ = time;
+  }
+  if (left <= tolerance) return Verdict::kThere;
+  const bool is_closed = left >= kClosedEnd && left <= kClosedEnd + tolerance;
+  return is_closed || time - nearer_at_ > patience ? Verdict::kInVain : Verdict::kUnderWay;
+}
+
+namespace {
+
+void announce_errands(const Percepts& percepts, const Errands& errands, const GivenBack& given_back,
+                      percept::Action& action) {
+  const std::size_t slices = std::max<std::size_t>(percepts.unit.size, 1);
+  const auto announce = [&](std::size_t errand) {
+    const Contract* contract = errands.contract(errand);
+    const bool is_wanted =
+        contract == nullptr || (contract->state == ContractState::kFailed && !given_back.has(errand));
+    if (!is_wanted || errands.way(errand).empty()) return;
+    Request request =
+        announcement(errands.task(), {static_cast<std::uint32_t>(errand + 1)}, errands.way(errand).front());
+    request.wait = kWait;
+    request.patience = kPatience;
+    action.ask(request);
+  };
+  for (std::size_t i = percepts.unit.rank; i < errands.count(); i += slices) announce(i);
+  for (std::size_t i = 0; i < errands.count(); ++i) announce(i);
+}
+
+// What a way costs a robot that shares places: a long one more than two of half its length, so that nobody
+// does most of it. `extent`: of the ground [m].
+double cost_of_way(double length, double extent) {
+  return length * (1.0 + kFairness * length / extent);
+}
+
+// Which of the parts that are awarded, and not begun with, is up for exchange in this cycle: for all robots
+// the same.
+const Contract* offered_for_exchange(const Errands& errands, double time, double cycle) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < errands.count(); ++i) {
+    const Contract* contract = errands.contract(i);
+    if (contract == nullptr || contract->state == ContractState::kOpen) return nullptr;  // first all of them
+    count += contract->state == ContractState::kAwarded ? 1 : 0;
+  }
+  if (count == 0 || !(cycle > 0.0)) return nullptr;
+  std::size_t number = static_cast<std::uint64_t>(std::max(0.0, std::round(time / cycle))) % count;
+  for (std::size_t i = 0; i < errands.count(); ++i) {
+    const Contract* contract = errands.contract(i);
+    if (contract->state == ContractState::kAwarded && number-- == 0) return contract;
+  }
+  return nullptr;
+}
+
+void bid(const Contract& contract, double cost, percept::Action& action) {
+  Request request = about_task(Request::Kind::kBid, contract);
+  request.cost = cost;
+  ask_once(action, request);
+}
+
+void bid_for_places(const Percepts& percepts, const Errands& errands, const GivenBack& given_back,
+                    percept::Action& action) {
+  const TaskWay way(percepts);
+  const double extent = std::max(1.0, extent_of(percepts.order.route));
+  const double length = way.length();
+  const auto cost_with = [&](double added) {
+    return cost_of_way(length + added, extent) - cost_of_way(length, extent);
+  };
+  if (const Contract* offered = offered_for_exchange(errands, percepts.time, percepts.cycle_duration)) {
+    if (is_held(*offered, percepts.id)) {
+      bid(*offered, cost_of_way(length, extent) - cost_of_way(TaskWay(percepts, offered).length(), extent),
+          action);
+    } else if (way.size() < kMostTasks && !given_back.has(*errands.errand_of(*offered))) {
+      bid(*offered, cost_with(way.added(offered->place)), action);
+    }
+    return;
+  }
+  if (way.size() == kMostTasks) return;
+  const Contract* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < errands.count(); ++i) {
+    const Contract* contract = errands.contract(i);
+    if (contract == nullptr || !may_bid(*contract, percepts.id) || given_back.has(i)) continue;
+    const double cost = cost_with(way.added(contract->place));
+    if (cost >= least) continue;
+    best = contract;
+    least = cost;
+  }
+  if (best != nullptr) bid(*best, least, action);
+}
+
+// One at a time: the nearest, of others' shares last.
+void bid_for_pieces(const Percepts& percepts, const Errands& errands, const GivenBack& given_back,
+                    percept::Action& action) {
+  const TaskWay way(percepts);
+  if (way.size() > 0) return;
+  const double aside = 1.0 + route_length(percepts.order.route);  // farther than anything on it
+  const Contract* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < errands.count(); ++i) {
+    const Contract* contract = errands.contract(i);
+    if (contract == nullptr || !may_bid(*contract, percepts.id) || given_back.has(i)) continue;
+    const double cost =
+        way.added(contract->place) + (errands.is_share_of_another(i, percepts.id) ? aside : 0.0);
+    if (cost >= least) continue;
+    best = contract;
+    least = cost;
+  }
+  if (best != nullptr) bid(*best, least, action);
+}
+
+// What comes of the part that this robot has next. @return where it is to go for that
+geom::Point go_on_with(const Errands& errands, std::size_t errand, const Contract& contract,
+                       LegWatch::Verdict verdict, double time, geom::Point here, ErrandState& state,
+                       LegWatch& watch, percept::Action& action) {
+  const std::span<const geom::Point> way = errands.way(errand);
+  if (state.current != static_cast<std::int32_t>(errand)) {
+    state.current = static_cast<std::int32_t>(errand);
+    state.leg = 0;
+    watch.head_for_next(time);
+    verdict = LegWatch::Verdict::kUnderWay;
+  }
+  // Of a piece that it has begun with it leaves out what it can't come to.
+  const bool is_lost = verdict == LegWatch::Verdict::kInVain && state.leg == 0;
+  if (verdict != LegWatch::Verdict::kUnderWay && !is_lost) {
+    ++state.leg;
+    watch.head_for_next(time);
+  }
+  if (is_lost) {
+    state.given_back.add(errand);
+    ask_once(action, about_task(Request::Kind::kRenegeTask, contract));
+  } else if (state.leg >= way.size()) {
+    ask_once(action, about_task(Request::Kind::kFinishTask, contract));
+  } else if (contract.state == ContractState::kAwarded) {
+    ask_once(action, about_task(Request::Kind::kStartTask, contract));
+  }
+  return state.leg < way.size() ? way[state.leg] : here;
+}
+
+}  // namespace
+
+geom::Point next_errand(const Percepts& percepts, LegWatch::Verdict verdict, ErrandState& state,
+                        LegWatch& watch, percept::Action& action) {
+  const Errands errands(percepts);
+  keep_tasks(percepts, action);
+  geom::Point out = percepts.pose.position;
+  const Contract* next = next_task(percepts, errands.task());
+  const auto errand = next == nullptr ? std::nullopt : errands.errand_of(*next);
+  if (errand)
+    out = go_on_with(errands, *errand, *next, verdict, percepts.time, out, state, watch, action);
+  else
+    state.current = -1;
+  announce_errands(percepts, errands, state.given_back, action);
+  if (percepts.order.task == Task::kSearch)
+    bid_for_pieces(percepts, errands, state.given_back, action);
+  else
+    bid_for_places(percepts, errands, state.given_back, action);
+  return out;
+}
+
+geom::Point next_tour_place(const Percepts& percepts, LegWatch::Verdict verdict, TourState& state,
+                            LegWatch& watch, percept::Action& action) {
+  const std::span<const geom::Point> tour = percepts.order.route;
+  const geom::Point here = percepts.pose.position;
+  if (tour.empty()) return here;
+  if (verdict != LegWatch::Verdict::kUnderWay) {
+    state.at.leg = (state.at.leg + 1) % tour.size();
+    ++state.passed;
+    watch.head_for_next(percepts.time);
+  }
+  state.at.has_gone_round = state.passed > tour.size();
+  Request told = share_place(here);
+  told.object = tour_code(percepts.order, state.at);
+  action.ask(told);
+  return tour[state.at.leg % tour.size()];
+}
+
+base::ObjectId tour_code(const percept::Order& order, TourPlace place) {
+  const std::uint32_t flag = place.has_gone_round ? 1 : 0;
+  const auto leg = static_cast<std::uint32_t>(place.leg);
+  return {order.sequence << (kLegBits + 1) | flag << kLegBits | (leg & ((1U << kLegBits) - 1))};
+}
+
+std::optional<TourPlace> tour_place(const percept::Order& order, const percept::SharedPlace& shared) {
+  const std::uint32_t code = shared.object.value;
+  const TourPlace out{code & ((1U << kLegBits) - 1), (code >> kLegBits & 1U) != 0};
+  if (out.leg >= order.route.size() || tour_code(order, out) != shared.object) return std::nullopt;
+  return out;
+}
+
+std::size_t nearest_leg(std::span<const geom::Point> tour, geom::Point p) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < tour.size(); ++i) {
+    const geom::Point from = tour[(i + tour.size() - 1) % tour.size()];
+    const double away = geom::distance(geom::nearest_point({from, tour[i]}, p), p);
+    if (away < least) {
+      least = away;
+      best = i;
+    }
+  }
+  return best;
+}
+
+double patrol_pace(const Percepts& percepts, double patience, double slowest) {
+  const std::span<const geom::Point> tour = percepts.order.route;
+  if (tour.empty()) return 1.0;
+  const double round = length_round(tour);
+  std::optional<double> own;
+  for (const percept::SharedPlace& shared : percepts.shared_places) {
+    const auto place = tour_place(percepts.order, shared);
+    if (place && shared.from == percepts.id) own = way_round(tour, place->leg, shared.place);
+  }
+  if (!own || !(round > 0.0)) return 1.0;
+  double ahead = round;
+  int robots = 1;
+  for (const percept::SharedPlace& shared : percepts.shared_places) {
+    const auto place = tour_place(percepts.order, shared);
+    if (!place || shared.from == percepts.id || percepts.time - shared.time > patience) continue;
+    ++robots;
+    double gap = std::fmod(way_round(tour, place->leg, shared.place) - *own + round, round);
+    // Side by side: who has the lower number is ahead.
+    if (gap <= 0.0 && shared.from.value > percepts.id.value) gap = round;
+    ahead = std::min(ahead, gap);
+  }
+  const double share = round / robots;
+  constexpr double kGain = 2.0;
+  return std::clamp(1.0 + kGain * (ahead - share) / share, slowest, 1.0);
+}
+
+}  // namespace mlab::schema

@@ -1,0 +1,384 @@
+// Commands that a unit shares among its robots, by what these tell each other: VISIT and PATROL.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "mlab/base/random.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/run/mission_run.h"
+#include "mlab/simulated/run.h"
+
+namespace mlab {
+namespace {
+
+using Places = std::vector<geom::Point>;
+
+// Places a metre apart in a rectangle that are free of rocks, and whether somebody has come near enough to
+// see them.
+class Seen {
+ public:
+  struct Rock {
+    geom::Point center;
+    double radius;
+  };
+  Seen(geom::Point low, geom::Point high, const std::vector<Rock>& rocks, double swath)
+      : reach_(swath / 2.0) {
+    for (double y = low.y + 0.5; y < high.y; y += 1.0) {
+      for (double x = low.x + 0.5; x < high.x; x += 1.0) {
+        const geom::Point p{x, y};
+        if (std::ranges::all_of(rocks,
+                                [&](const Rock& one) { return geom::distance(one.center, p) > one.radius; }))
+          unseen_.push_back(p);
+      }
+    }
+    all_ = static_cast<double>(unseen_.size());
+  }
+  void look(geom::Point from) {
+    std::erase_if(unseen_, [&](geom::Point p) { return geom::distance(p, from) <= reach_; });
+  }
+  double area() const { return all_; }
+  double share() const { return 1.0 - static_cast<double>(unseen_.size()) / all_; }
+
+ private:
+  double reach_;
+  std::vector<geom::Point> unseen_;
+  double all_ = 0.0;
+};
+
+/// A run of a mission of one unit.
+class SharedTasks : public testing::Test {
+ protected:
+  static constexpr double kTolerance = 2.0;  // of the standard robot: so near to a place it was there [m]
+
+  /// @param measures  control measures of the map
+  void make(int robots, const std::string& preamble, const std::string& command,
+            const std::string& measures = "") {
+    std::string text = "OVERLAY map.odl\nMISSION-AREA 600 400\n" + preamble + "UNIT <team>";
+    for (int i = 0; i < robots; ++i) text += " ROBOT";
+    text += "\nCOMMAND LIST:\n0. UNIT team START 20 150 0 10\n1. UNIT team " + command + "\n";
+    text::Diagnostics sink;
+    mdl::LoadOptions options;
+    options.files.is_file = [](const std::string& path) { return path == "map.odl"; };
+    options.files.read = [&](const std::string& path) -> text::Result<text::SourcePtr> {
+      return std::make_shared<const text::Source>(path, "CONTROL MEASURES:\n" + measures);
+    };
+    const auto mission =
+        mdl::check_mission(std::make_shared<const text::Source>("test.mdl", text), "", sink, options);
+    ASSERT_NE(mission, nullptr) << text::render(sink);
+    run::RunSettings settings;
+    settings.executive.patience = 120.0;
+    settings.executive.proceed_all = true;
+    run_ = simulated::make_run(mission, {}, settings, sink);
+    ASSERT_NE(run_, nullptr) << text::render(sink);
+    run_->set_observer([this](const mission::Effect& effect) {
+      if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) told_ += told->text + "\n";
+    });
+    run_->post(mission::event::Execute{});
+  }
+
+  bool is_done() const { return run_->state().outcome == mission::Outcome::kDone; }
+  /// Until it is over, or so much time has passed [s].
+  template <class Look>
+  void go(double seconds, const Look& look) {
+    while (run_->time() < seconds && run_->step() != run::MissionRun::Progress::kOver) look();
+  }
+  void go(double seconds) {
+    go(seconds, [] {});
+  }
+
+  geom::Point place_of(std::uint32_t robot) const {
+    return run_->fleet().pose(*run_->fleet().find({robot})).position;
+  }
+  std::uint32_t robots() const { return static_cast<std::uint32_t>(run_->fleet().robots().size()); }
+  double driven() const {
+    double out = 0.0;
+    for (const fleet::FleetRobot& robot : run_->fleet().robots())
+      out += run_->world().body(robot.body).distance_driven;
+    return out;
+  }
+  unsigned contacts() const {
+    unsigned out = 0;
+    for (const fleet::FleetRobot& robot : run_->fleet().robots())
+      out += run_->world().body(robot.body).contacts;
+    return out;
+  }
+
+  std::vector<std::uint32_t> lost() const {
+    std::vector<std::uint32_t> out;
+    for (const fleet::FleetRobot& robot : run_->fleet().robots()) {
+      if (robot.life == fleet::RobotLife::kFaulted) out.push_back(robot.id.value);
+    }
+    return out;
+  }
+
+  static Places random_places(base::Random& random, int count) {
+    Places out;
+    while (static_cast<int>(out.size()) < count) {
+      const geom::Point p{random.uniform(40, 560), random.uniform(20, 380)};
+      if (std::ranges::all_of(out, [&](geom::Point q) { return geom::distance(p, q) > 15.0; }))
+        out.push_back(p);
+    }
+    return out;
+  }
+  void search(Seen& seen) {
+    int cycle = 0;
+    go(3000, [&] {
+      if (++cycle % 3 != 0) return;
+      for (std::uint32_t robot = 1; robot <= robots(); ++robot) seen.look(place_of(robot));
+    });
+  }
+  static std::vector<Seen::Rock> random_rocks(std::uint64_t seed, geom::Point low, geom::Point high,
+                                              std::size_t count) {
+    base::Random random(seed);
+    std::vector<Seen::Rock> out;
+    while (out.size() < count) {
+      const Seen::Rock rock{
+          {random.uniform(low.x + 20, high.x - 20), random.uniform(low.y + 20, high.y - 20)},
+          random.uniform(2, 10)};
+      if (std::ranges::all_of(out, [&](const Seen::Rock& one) {
+            return geom::distance(one.center, rock.center) > one.radius + rock.radius + 12.0;
+          }))
+        out.push_back(rock);
+    }
+    return out;
+  }
+  static std::string written(const std::vector<Seen::Rock>& rocks) {
+    std::string out;
+    for (const Seen::Rock& one : rocks)
+      out += fmt::format("OBSTACLE {:.3f} {:.3f} {:.3f}\n", one.center.x, one.center.y, one.radius);
+    return out;
+  }
+  static std::string written(const Places& places) {
+    std::string out;
+    for (const geom::Point p : places) out += fmt::format(" {:.3f} {:.3f}", p.x, p.y);
+    return out;
+  }
+
+  std::unique_ptr<run::MissionRun> run_;
+  std::string told_;
+};
+
+double length_of(geom::Point start, const Places& way) {
+  double out = 0.0;
+  for (const geom::Point p : way) out += geom::distance(std::exchange(start, p), p);
+  return out;
+}
+
+// Ways from each start over all places together, as short as a long local search makes them: places and parts
+// of ways are moved at random, from many beginnings.
+double shortest_ways(const Places& starts, const Places& places, base::Random& random) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int beginning = 0; beginning < 5; ++beginning) {
+    std::vector<Places> ways(starts.size());
+    for (const geom::Point p : places) ways[random.below(ways.size())].push_back(p);
+    const auto total = [&] {
+      double out = 0.0;
+      for (std::size_t i = 0; i < ways.size(); ++i) out += length_of(starts[i], ways[i]);
+      return out;
+    };
+    double length = total();
+    for (int tried = 0; tried < 12'000; ++tried) {
+      const std::vector<Places> before = ways;
+      Places& from = ways[random.below(ways.size())];
+      if (from.empty()) continue;
+      const std::size_t at = random.below(from.size());
+      if (random.below(2) == 0) {
+        const geom::Point moved = from[at];
+        from.erase(from.begin() + static_cast<std::ptrdiff_t>(at));
+        Places& to = ways[random.below(ways.size())];
+        to.insert(to.begin() + static_cast<std::ptrdiff_t>(random.below(to.size() + 1)), moved);
+      } else {
+        const std::size_t end = at + random.below(from.size() - at + 1);
+        std::reverse(from.begin() + static_cast<std::ptrdiff_t>(at),
+                     from.begin() + static_cast<std::ptrdiff_t>(end));
+      }
+      const double now = total();
+      if (now < length)
+        length = now;
+      else
+        ways = before;
+    }
+    best = std::min(best, length);
+  }
+  return best;
+}
+
+TEST_F(SharedTasks, FiveRobotsVisitTwentyPlacesOnShortWays) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    base::Random random(seed);
+    const Places places = random_places(random, 20);
+    make(5, "", "VISIT" + written(places));
+    std::vector<double> nearest(places.size(), 1e9);
+    go(1000, [&] {
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::uint32_t robot = 1; robot <= 5; ++robot)
+          nearest[i] = std::min(nearest[i], geom::distance(places[i], place_of(robot)));
+      }
+    });
+    EXPECT_TRUE(is_done()) << told_;
+    EXPECT_LE(std::ranges::max(nearest), kTolerance);
+    EXPECT_EQ(contacts(), 0U);
+    Places starts;
+    for (int i = 0; i < 5; ++i) starts.push_back({20.0, 150.0 + 10.0 * i});
+    const double shortest = shortest_ways(starts, places, random);
+    EXPECT_LE(driven(), 1.25 * shortest);
+  }
+}
+
+TEST_F(SharedTasks, WhatALostRobotHadIsVisitedByTheOthers) {
+  base::Random random(7);
+  const Places places = random_places(random, 20);
+  make(5, "SET FAILING-ROBOTS 1\nSET FAILURES-WITHIN 30\n", "VISIT" + written(places));
+  std::vector<double> nearest(places.size(), 1e9);
+  go(1000, [&] {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::uint32_t robot = 1; robot <= 5; ++robot)
+        nearest[i] = std::min(nearest[i], geom::distance(places[i], place_of(robot)));
+    }
+  });
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_LE(std::ranges::max(nearest), kTolerance);
+  EXPECT_EQ(lost().size(), 1U);
+  EXPECT_NE(told_.find(" is not running, `unit team VISIT"), std::string::npos) << told_;
+  EXPECT_NE(told_.find("goes on without it"), std::string::npos) << told_;
+}
+
+TEST_F(SharedTasks, APlaceThatNoWayLeadsToIsNamedAndTheOthersAreVisited) {
+  std::string room;
+  for (int i = 0; i < 16; ++i) {
+    const double angle = 2.0 * 3.14159265358979 * i / 16;
+    room += fmt::format("OBSTACLE {:.3f} {:.3f} 8\n", 300 + 30 * std::cos(angle), 200 + 30 * std::sin(angle));
+  }
+  const Places places = {{100, 100}, {300, 200}, {500, 300}};
+  make(2, room, "VISIT" + written(places));
+  std::vector<double> nearest(places.size(), 1e9);
+  go(600, [&] {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::uint32_t robot = 1; robot <= 2; ++robot)
+        nearest[i] = std::min(nearest[i], geom::distance(places[i], place_of(robot)));
+    }
+  });
+  EXPECT_EQ(run_->state().outcome, mission::Outcome::kFailed);
+  EXPECT_LE(nearest[0], kTolerance);
+  EXPECT_LE(nearest[2], kTolerance);
+  EXPECT_NE(told_.find("no way to (300, 200) is known"), std::string::npos) << told_;
+}
+
+TEST_F(SharedTasks, UntilEndsAVisit) {
+  make(2, "", "VISIT 100 100 500 300 550 20 UNTIL TIMEOUT 30");
+  go(600);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_NEAR(run_->time(), 30.0, 2.0);
+}
+
+// How long it was between two visits of the first place of a PATROL, by any robot, from that time on [s].
+class Rounds {
+ public:
+  explicit Rounds(geom::Point place) : place_(place) {}
+  void look(double time, std::uint32_t robot, geom::Point at) {
+    was_there_.resize(std::max<std::size_t>(was_there_.size(), robot + 1));
+    const bool is_there = geom::distance(at, place_) < 6.0;
+    if (is_there && !was_there_[robot]) {
+      if (last_ >= 0.0) gaps_.push_back({time, time - last_});
+      last_ = time;
+    }
+    was_there_[robot] = is_there;
+  }
+  std::vector<double> gaps(double from, double to) const {
+    std::vector<double> out;
+    for (const auto& [time, gap] : gaps_) {
+      if (time - gap >= from && time <= to) out.push_back(gap);
+    }
+    return out;
+  }
+
+ private:
+  geom::Point place_;
+  std::vector<char> was_there_;
+  std::vector<std::pair<double, double>> gaps_;
+  double last_ = -1.0;
+};
+
+TEST_F(SharedTasks, APatrolSpreadsEvenlyAndAgainAfterALoss) {
+  const Places tour = {{100, 100}, {300, 100}, {300, 300}, {100, 300}};
+  make(4, "SET FAILING-ROBOTS 1\nSET FAILURES-WITHIN 1900\nOBSTACLE 200 100 6\nOBSTACLE 300 200 5\n",
+       "PATROL" + written(tour) + " UNTIL TIMEOUT 2400");
+  Rounds rounds(tour[2]);
+  double lost_at = 0.0;
+  go(3000, [&] {
+    if (lost().empty()) lost_at = run_->time();
+    for (std::uint32_t robot = 1; robot <= 4; ++robot) {
+      if (run_->fleet().find({robot})->life == fleet::RobotLife::kRunning)
+        rounds.look(run_->time(), robot, place_of(robot));
+    }
+  });
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts(), 0U);
+  ASSERT_EQ(lost().size(), 1U);
+  ASSERT_GT(lost_at, 700.0) << "choose another seed";
+  for (const auto& [from, to, robots] : {std::tuple{300.0, lost_at, 4}, {lost_at + 300.0, 2400.0, 3}}) {
+    const std::vector<double> gaps = rounds.gaps(from, to);
+    ASSERT_GE(gaps.size(), 6U) << robots;
+    double mean = 0.0;
+    for (const double gap : gaps) mean += gap / static_cast<double>(gaps.size());
+    EXPECT_GE(std::ranges::min(gaps), 0.8 * mean) << robots;
+    EXPECT_LE(std::ranges::max(gaps), 1.2 * mean) << robots;
+    // A round of 800 m at 4 m/s.
+    EXPECT_NEAR(mean * robots, 200.0, 30.0);
+  }
+}
+
+TEST_F(SharedTasks, APatrolWithoutUntilAsksWhenItHasGoneRound) {
+  make(2, "", "PATROL 50 150 150 150 100 220");
+  go(600);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_NE(told_.find("is patrolling 50 150 150 150 100 220. Proceed?"), std::string::npos) << told_;
+  EXPECT_GT(run_->time(), 60.0);
+}
+
+TEST_F(SharedTasks, ASearchSeesAllInSharesOfEqualLength) {
+  const double swath = 16.0;
+  const std::vector<Seen::Rock> rocks = random_rocks(1, {60, 60}, {420, 340}, 12);
+  make(4, written(rocks), fmt::format("SEARCH Field SWATH {}", swath),
+       "OBJ Field 60 60 420 60 420 340 60 340\n");
+  Seen seen({60, 60}, {420, 340}, rocks, swath);
+  search(seen);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_GE(seen.share(), 0.995);
+  // The way there and to the next piece included.
+  EXPECT_LE(driven(), 1.3 * seen.area() / swath);
+  for (const fleet::FleetRobot& robot : run_->fleet().robots())
+    EXPECT_LE(run_->world().body(robot.body).distance_driven, 1.25 * driven() / 4.0);
+}
+
+TEST_F(SharedTasks, WhatALostRobotHadIsSearchedByTheOthers) {
+  const std::vector<Seen::Rock> rocks = random_rocks(2, {60, 60}, {260, 220}, 4);
+  make(3, "SET FAILING-ROBOTS 1\nSET FAILURES-WITHIN 90\n" + written(rocks), "SEARCH Field",
+       "OBJ Field 60 60 260 60 260 220 60 220\n");
+  Seen seen({60, 60}, {260, 220}, rocks, 10.0);
+  search(seen);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(lost().size(), 1U);
+  EXPECT_GE(seen.share(), 0.99);  // 5.2 m are kept from rocks, 5 m are seen
+}
+
+TEST_F(SharedTasks, AnAreaThatCanNotBeSeenIsToldBeforehand) {
+  make(1, "", "SEARCH Far", "OBJ Far 700 500 800 500 800 600\n");
+  go(60);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_NE(told_.find("nothing of Far can be searched"), std::string::npos) << told_;
+}
+
+}  // namespace
+}  // namespace mlab
