@@ -258,6 +258,7 @@ std::string waiting_text(const State& state, const Run& run) {
     if (unacknowledged) what += early ? " and the acknowledgement" : "the acknowledgement";
     return fmt::format("{} at phase line {}", what, said.name);
   }
+  if (info(run.command->task).is_shared) return "what its robots share";
   return fmt::format("{} of {}", run.missing, base::counted(run.needed.size(), "robot"));
 }
 

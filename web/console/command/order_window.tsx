@@ -33,14 +33,15 @@ import { useMayOrder, usePart, useSession, useUi } from "../session/session.ts";
 import { addressedUnits } from "./addressed.ts";
 import { placeMeasures } from "./command_tool.ts";
 import "./order_window.css";
-import { dropGoal, type Goal, orderStore } from "./order_store.ts";
+import { dropGoal, type Goal, orderStore, takesMorePlaces } from "./order_store.ts";
 import { placeFor, referenceTo } from "./places.ts";
 import { DiagnosticsView, TargetsView } from "./targets_view.tsx";
 
 /** Over the map while the command tool is held. */
 export function CommandOptions() {
   const map = useUi("map");
-  const { goal, isDragging } = useStore(orderStore);
+  const order = useStore(orderStore);
+  const { goal, isDragging } = order;
   const { units, robots, note } = useAddressed();
   const whom = robots.length > 0 ? `${robots.length === 1 ? "robot" : "robots"} ${idRanges(robots)}` : units.join(", ");
   return (
@@ -48,7 +49,10 @@ export function CommandOptions() {
       <span className="small">
         {whom !== "" ? (
           <>
-            For <b>{whom}</b>: click the goal, drag for the formation’s heading.
+            For <b>{whom}</b>:{" "}
+            {takesMorePlaces(order)
+              ? "click the places, one after the other; Backspace takes the last one back."
+              : "click the goal, drag for the formation’s heading."}
           </>
         ) : (
           note

@@ -288,7 +288,9 @@ function Command({ row, command, label }: { row: StepRow; command: CommandRow; l
   );
 }
 
-function progressText({ progress, remaining, robots, robotsDone }: CommandRow): string {
+function progressText(command: CommandRow): string {
+  const { progress, remaining, robots, robotsDone } = command;
+  if (command.isShared) return command.parts > 0 ? `${command.partsDone} of ${command.parts} parts done` : "under way";
   if (robots > 0 && robotsDone === robots) return robots > 1 ? `all ${robots} there` : "there";
   const parts = [`${Math.round(progress * 100)} %`];
   if (remaining >= 0) parts.push(`${distance(remaining)} to go`);

@@ -14,6 +14,9 @@ export interface CommandRow {
   arrival: number; // run time; negative: unknown
   robots: number;
   robotsDone: number;
+  isShared: boolean; // among its robots: who is there says nothing
+  parts: number; // that they share; 0: none that could be counted
+  partsDone: number;
   message: string;
 }
 
@@ -179,6 +182,9 @@ function commandOf(command: Status_Step["commands"][number]): CommandRow {
     arrival: command.arrival,
     robots: command.robots,
     robotsDone: command.robotsDone,
+    isShared: command.isShared,
+    parts: command.parts,
+    partsDone: command.partsDone,
     message: command.isHeld ? `waits for ${command.waitsFor}` : command.message,
   };
 }
@@ -193,6 +199,9 @@ function plannedCommand(text: string, unit: string): CommandRow {
     arrival: -1,
     robots: 0,
     robotsDone: 0,
+    isShared: false,
+    parts: 0,
+    partsDone: 0,
     message: "",
   };
 }

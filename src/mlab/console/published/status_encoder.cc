@@ -8,6 +8,7 @@
 
 #include "mlab/console/published/overview.h"
 #include "mlab/mission/wording.h"
+#include "mlab/schema/errands.h"
 
 namespace mlab::console {
 namespace {
@@ -29,8 +30,27 @@ void encode_followers(const State& state, const mission::Run& run, Status::Comma
   for (const base::RobotId id : run.needed) out.add_followers(id.value);
 }
 
-void encode_command(const State& state, std::uint32_t record, const Estimates& estimates,
+// How far a command is that its robots share, as one of them knows it.
+void encode_parts(const run::MissionRun& run, const mission::Run& command, Status::Command& out) {
+  if (!mission::info(command.command->task).is_shared) return;
+  out.set_is_shared(true);
+  if (command.command->task == mission::Task::kPatrol) return;
+  for (const base::RobotId id : command.needed) {
+    const fleet::FleetRobot* robot = run.fleet().find(id);
+    if (robot == nullptr || robot->life != fleet::RobotLife::kRunning) continue;
+    const percept::Percepts percepts = run.fleet().perceive_at(*robot, run.fleet().pose(*robot), {}, 0.0);
+    const schema::Errands errands(percepts);
+    if (errands.count() == 0) return;
+    out.set_parts(static_cast<std::uint32_t>(errands.count()));
+    out.set_parts_done(static_cast<std::uint32_t>(errands.done()));
+    out.set_progress(static_cast<double>(errands.done()) / static_cast<double>(errands.count()));
+    return;
+  }
+}
+
+void encode_command(const run::MissionRun& mission_run, std::uint32_t record, const Estimates& estimates,
                     Status::Command& out) {
+  const State& state = mission_run.state();
   const mission::CommandRecord& command = state.commands[record];
   out.set_text(clean(command.text));
   out.set_unit(clean(command.unit));
@@ -53,6 +73,7 @@ void encode_command(const State& state, std::uint32_t record, const Estimates& e
   out.set_remaining(estimate.remaining);
   out.set_arrival(estimate.arrival);
   out.set_progress(estimate.progress);
+  if (run->phase == mission::Run::Phase::kRobots) encode_parts(mission_run, *run, out);
 }
 
 }  // namespace
@@ -112,7 +133,7 @@ void encode_run(const run::MissionRun& run, const Estimates& estimates, Status& 
     told.set_start(step.start);
     if (step.outcome != mission::Outcome::kRunning) told.set_end(step.end);
     for (std::uint32_t c = 0; c < step.command_count; ++c)
-      encode_command(state, step.first_command + c, estimates, *told.add_commands());
+      encode_command(run, step.first_command + c, estimates, *told.add_commands());
   }
   for (const std::string& line : mission::waits_for(state)) out.add_waits_for(clean(line));
 }

@@ -56,6 +56,23 @@ TEST(Status, TellsWhatRemainsAndWhenItWillBeDone) {
   EXPECT_EQ(status_of(*run, estimates).steps(1).commands(0).progress(), 1.0);
 }
 
+TEST(Status, TellsHowManyPartsAreDoneOfWhatRobotsShare) {
+  const auto run = testing::run_of(
+      "MISSION-AREA 100 100\nUNIT <pair> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT pair START 10 10 0 10\n"
+      "1. UNIT pair VISIT 20 20 30 60 90 90\n");
+  run->post(mission::event::Execute{});
+  testing::step(*run, 90);
+  const Status status = status_of(*run, {});
+  ASSERT_EQ(status.steps_size(), 2);
+  const Status::Command& visit = status.steps(1).commands(0);
+  EXPECT_TRUE(visit.is_shared());
+  EXPECT_EQ(visit.parts(), 3U);
+  EXPECT_EQ(visit.parts_done(), 1U);
+  EXPECT_NEAR(visit.progress(), 1.0 / 3.0, 1e-9);
+  EXPECT_EQ(visit.waits_for(), "what its robots share");
+  EXPECT_FALSE(status.steps(0).commands(0).is_shared());
+}
+
 TEST(Status, TellsWhoFollowsACommandThatRobotsWereOrderedAwayFrom) {
   const auto run = testing::run_of(testing::kTravel);
   run->post(mission::event::Execute{});
