@@ -157,5 +157,8 @@ test("a unit shares places that were clicked one after the other, and Why? says 
   await typed.filter({ hasText: "VISIT" }).waitFor();
   await console.select("robot 1");
   await page.getByRole("tab", { name: /Why/ }).click();
-  await page.getByText(/of 2 parts \d are done and \d on offer/).first().waitFor();
+  await page
+    .getByText(/of 2 parts \d are done and \d on offer/)
+    .first()
+    .waitFor();
 });
