@@ -155,7 +155,8 @@ test("a unit shares places that were clicked one after the other, and Why? says 
   await order.waitFor({ state: "detached" });
   const typed = console.steps.getByRole("listitem").filter({ hasText: "typed" });
   await typed.filter({ hasText: "VISIT" }).waitFor();
-  await console.select("robot 1");
+  await console.select("Robot 1");
+  await console.panel("Selection");
   await page.getByRole("tab", { name: /Why/ }).click();
   await page
     .getByText(/of 2 parts \d are done and \d on offer/)

@@ -13,6 +13,14 @@ test("the key of the emergency stop stops the robots from anywhere, also while t
   await page.keyboard.press("Control+.");
   await console.reaches("Emergency stop");
   await page.getByText("EMERGENCY STOP: all robots stand and take no orders.").waitFor();
+  // The list may still show where it was a moment ago.
+  await expect
+    .poll(async () => {
+      const before = await console.place("Robot 1");
+      await page.waitForTimeout(400);
+      return (await console.place("Robot 1")).y - before.y;
+    })
+    .toBe(0);
   const place = await console.place("Robot 1");
   const time = await console.time();
 

@@ -58,6 +58,13 @@ std::vector<geom::Point> cut(const std::vector<geom::Point>& way, std::size_t pi
   return out;
 }
 
+// No shorter than some swaths, so that robots are not in each other's way.
+std::size_t pieces_of(const ways::Coverage& found, const UnitCommand& command, std::size_t robots) {
+  constexpr double kLeast = 3.0;
+  const auto most = static_cast<std::size_t>(std::min(found.length / (kLeast * command.swath), 1e3));
+  return std::clamp<std::size_t>(most, 1, std::min(kMostPieces, kPiecesOfARobot * robots));
+}
+
 std::string warning_of(const ways::Coverage& found, const UnitCommand& command) {
   using End = ways::CoverageEnd;
   switch (found.end) {
@@ -107,8 +114,7 @@ SearchWay plan_search(const Mission& mission, const UnitCommand& command,
       ways::coverage_route(command.route, ground_of(mission.overlay), clearance, swath);
   SearchWay out;
   out.warning = warning_of(found, command);
-  if (!found.waypoints.empty())
-    out.route = cut(found.waypoints, std::min(kMostPieces, kPiecesOfARobot * robots.size()));
+  if (!found.waypoints.empty()) out.route = cut(found.waypoints, pieces_of(found, command, robots.size()));
   return out;
 }
 

@@ -259,17 +259,21 @@ geom::Point next_errand(const Percepts& percepts, LegWatch::Verdict verdict, Err
   const Errands errands(percepts);
   keep_tasks(percepts, action);
   geom::Point out = percepts.pose.position;
-  const Contract* next = next_task(percepts, errands.task());
+  // What it set out for it keeps: of two ways of nearly the same length now one is shorter, now the other
+  // one.
+  const Contract* next =
+      state.current < 0 ? nullptr : errands.contract(static_cast<std::size_t>(state.current));
+  if (next == nullptr || !is_held(*next, percepts.id)) next = next_task(percepts, errands.task());
   const auto errand = next == nullptr ? std::nullopt : errands.errand_of(*next);
   if (errand)
     out = go_on_with(errands, *errand, *next, verdict, percepts.time, out, state, watch, action);
   else
     state.current = -1;
-  announce_errands(percepts, errands, state.given_back, action);
   if (percepts.order.task == Task::kSearch)
     bid_for_pieces(percepts, errands, state.given_back, action);
   else
     bid_for_places(percepts, errands, state.given_back, action);
+  announce_errands(percepts, errands, state.given_back, action);  // what there is room for
   return out;
 }
 
@@ -280,7 +284,7 @@ geom::Point next_tour_place(const Percepts& percepts, LegWatch::Verdict verdict,
   if (tour.empty()) return here;
   if (verdict != LegWatch::Verdict::kUnderWay) {
     state.at.leg = (state.at.leg + 1) % tour.size();
-    ++state.passed;
+    state.passed += verdict == LegWatch::Verdict::kThere ? 1 : 0;
     watch.head_for_next(percepts.time);
   }
   state.at.has_gone_round = state.passed > tour.size();

@@ -101,6 +101,10 @@ Location Parser::location(std::string_view command) {
 void Parser::more_places(statement::UnitAction& action) {
   const auto at_place = [&] {
     if (token().first_on_line && is_robots(token())) return false;
+    const bool is_clause = at(TokenKind::kName) && (equal_without_case(written(token()), "SWATH") ||
+                                                    equal_without_case(written(token()), "HEADING"));
+    if (is_clause && (token(1).kind == TokenKind::kNumber || token(1).kind == TokenKind::kEquals))
+      return false;
     return at(TokenKind::kName) || at(TokenKind::kString) || at(TokenKind::kNumber);
   };
   while (!stuck_ && at_place()) action.more.push_back(location(command_word(action.task)));
