@@ -204,7 +204,8 @@ void bid_for_places(const Percepts& percepts, const Errands& errands, const Give
   if (best != nullptr) bid(*best, least, action);
 }
 
-// One at a time: the nearest, of others' shares last.
+// One at a time: of each share the first that is on offer, since the next one begins where it ends; of these
+// the nearest, of others' shares last.
 void bid_for_pieces(const Percepts& percepts, const Errands& errands, const GivenBack& given_back,
                     percept::Action& action) {
   const TaskWay way(percepts);
@@ -212,9 +213,12 @@ void bid_for_pieces(const Percepts& percepts, const Errands& errands, const Give
   const double aside = 1.0 + route_length(percepts.order.route);  // farther than anything on it
   const Contract* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
+  std::size_t next_share = 0;
   for (std::size_t i = 0; i < errands.count(); ++i) {
     const Contract* contract = errands.contract(i);
+    if (i / kPiecesOfAShare < next_share) continue;
     if (contract == nullptr || !may_bid(*contract, percepts.id) || given_back.has(i)) continue;
+    next_share = i / kPiecesOfAShare + 1;
     const double cost =
         way.added(contract->place) + (errands.is_share_of_another(i, percepts.id) ? aside : 0.0);
     if (cost >= least) continue;
