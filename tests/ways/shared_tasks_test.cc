@@ -22,7 +22,7 @@ namespace {
 
 using Places = std::vector<geom::Point>;
 
-// Places a metre apart in a rectangle that are free of rocks, and whether somebody has come near enough to
+// Places two metres apart in a rectangle that are free of rocks, and whether somebody has come near enough to
 // see them.
 class Seen {
  public:
@@ -32,8 +32,8 @@ class Seen {
   };
   Seen(geom::Point low, geom::Point high, const std::vector<Rock>& rocks, double swath)
       : reach_(swath / 2.0) {
-    for (double y = low.y + 0.5; y < high.y; y += 1.0) {
-      for (double x = low.x + 0.5; x < high.x; x += 1.0) {
+    for (double y = low.y + 1.0; y < high.y; y += 2.0) {
+      for (double x = low.x + 1.0; x < high.x; x += 2.0) {
         const geom::Point p{x, y};
         if (std::ranges::all_of(rocks,
                                 [&](const Rock& one) { return geom::distance(one.center, p) > one.radius; }))
@@ -45,7 +45,7 @@ class Seen {
   void look(geom::Point from) {
     std::erase_if(unseen_, [&](geom::Point p) { return geom::distance(p, from) <= reach_; });
   }
-  double area() const { return all_; }
+  double area() const { return 4.0 * all_; }  // [m^2]
   double share() const { return 1.0 - static_cast<double>(unseen_.size()) / all_; }
 
  private:
