@@ -288,11 +288,11 @@ class Rounds {
   void look(double time, std::uint32_t robot, geom::Point at) {
     was_there_.resize(std::max<std::size_t>(was_there_.size(), robot + 1));
     const bool is_there = geom::distance(at, place_) < 6.0;
-    if (is_there && !was_there_[robot]) {
+    if (is_there && was_there_[robot] == 0) {
       if (last_ >= 0.0) gaps_.push_back({time, time - last_});
       last_ = time;
     }
-    was_there_[robot] = is_there;
+    was_there_[robot] = is_there ? 1 : 0;
   }
   std::vector<double> gaps(double from, double to) const {
     std::vector<double> out;

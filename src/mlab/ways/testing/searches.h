@@ -72,8 +72,8 @@ class SeenPlaces {
  private:
   geom::Point place(std::size_t i) const {
     const auto columns = static_cast<std::size_t>(count_);
-    return {(static_cast<double>(i % columns) + 0.5) * step_,
-            (static_cast<double>(i / columns) + 0.5) * step_};
+    const std::size_t row = i / columns;
+    return {(static_cast<double>(i % columns) + 0.5) * step_, (static_cast<double>(row) + 0.5) * step_};
   }
 
   template <class Visit>
