@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "mlab/ways/search_route.h"
 
@@ -11,6 +12,9 @@ namespace {
 
 // What is told by cells is a little more or less; so somewhat more is seen than is wanted.
 constexpr double kUnseen = 0.9 * (1.0 - Coverage::kWanted);
+
+// About five seconds: a square of 1,000 m with 10 % of obstacles takes half of it at a swath of 10 m.
+constexpr std::uint64_t kMostEffort = 250'000'000;
 
 Coverage none(CoverageEnd end) {
   Coverage out;
@@ -56,7 +60,7 @@ Coverage coverage_route(std::span<const geom::Point> outline, const Ground& grou
   const auto to_see = static_cast<double>(grid->to_see());
   out.visible = static_cast<double>(grid->visible()) / static_cast<double>(grid->to_search());
   const auto pieces = lane_pieces_in_order(*grid, planner);
-  SearchRoute route(*grid, planner, pieces);
+  SearchRoute route(*grid, planner, pieces, kMostEffort);
   const auto most_unseen = static_cast<std::size_t>(kUnseen * to_see);
   improve(route, most_unseen);
   out.waypoints = route.waypoints();

@@ -36,7 +36,8 @@ struct Coverage {
 /// place. Lanes side by side, to and fro, round what stands there; then what they miss is added where it
 /// costs least, and what sees nothing new is left out. Places behind something that a robot can't get round
 /// (of parts between which no way leads, all but the one in which there is most to see) and places too close
-/// to things can't be seen. The way may leave the outline by less than half a swath, but not the bounds.
+/// to things can't be seen. Very large areas with very many things are not looked at to the end: `seen` says
+/// it. The way may leave the outline by less than half a swath, but not the bounds.
 ///
 /// @param outline    corners of a polygon, in either sense [m, world]; where it crosses itself, what lies
 /// inside of

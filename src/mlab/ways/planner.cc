@@ -26,17 +26,16 @@ struct Planner::Search {
   std::vector<Step> steps;
   using Open = std::pair<double, std::int32_t>;  // the least that a way through this step has, and the step
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  /// The least that a way by this round has, and the round: those that no step leads to from where it begins
+  /// so far.
+  std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>,
+                      std::greater<>>
+      rounds;
 
   void add(const Step& step) {
     open.emplace(step.cost + distance(step.piece.tangent.piece.b, to),
                  static_cast<std::int32_t>(steps.size()));
     steps.push_back(step);
-  }
-  /// Makes the next step one that can be gone. False: there is none.
-  bool drop_blocked(const Planner& planner) {
-    while (!open.empty() && planner.is_blocked(steps[static_cast<std::size_t>(open.top().second)]))
-      open.pop();
-    return !open.empty();
   }
   static constexpr std::uint32_t kGoal = UINT32_MAX;  // in place of a circle
 };
@@ -75,9 +74,43 @@ const Planner::Circle& Planner::known(std::uint32_t circle) {
 }
 
 void Planner::begin(Search& search) {
-  for (std::uint32_t circle = 0; circle < circles_.size(); ++circle) {
+  constexpr std::uint64_t kRoundsOfATangent = 20;  // as dear as one
+  effort_ += clearing_.rounds().size() / kRoundsOfATangent;
+  constexpr double kSlack = 1e-9;  // a share: the last digits of what is computed in two ways
+  std::vector<std::pair<double, std::uint32_t>> rounds;
+  for (std::uint32_t i = 0; i < clearing_.rounds().size(); ++i) {
+    const auto& [center, radius] = clearing_.rounds()[i];
+    const double least = std::max(distance(search.from, center) - radius, 0.0) +
+                         std::max(distance(search.to, center) - radius, 0.0);
+    rounds.emplace_back(least * (1.0 - kSlack), i);
+  }
+  search.rounds = decltype(search.rounds)(std::greater<>(), std::move(rounds));
+}
+
+/// The steps from where the search begins to both sides of a round.
+void Planner::begin_by(std::uint32_t round_number, Search& search) {
+  effort_ += 2;
+  for (const std::uint32_t circle : {2 * round_number, 2 * round_number + 1}) {
     const auto one = tangent({search.from, 0.0}, Sense::kCounterClockwise, round(circle), sense(circle));
     if (one) search.add({{*one, circle, 0.0, angle(circle, one->piece.b)}, one->length, -1});
+  }
+}
+
+/// Makes the next step the one by which the shortest way may lead, and one that can be gone. False: there is
+/// none.
+bool Planner::has_next(Search& search) {
+  while (true) {
+    if (!search.rounds.empty() &&
+        (search.open.empty() || search.rounds.top().first <= search.open.top().first)) {
+      begin_by(search.rounds.top().second, search);
+      search.rounds.pop();
+    } else if (search.open.empty()) {
+      return false;
+    } else if (is_blocked(search.steps[static_cast<std::size_t>(search.open.top().second)])) {
+      search.open.pop();
+    } else {
+      return true;
+    }
   }
 }
 
@@ -118,14 +151,13 @@ void Planner::go_on(Search& search, std::int32_t step) {
 std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point to,
                                                  std::uint64_t most_effort) {
   const std::uint64_t effort_before = effort_;
-  effort_ += circles_.size();
   if (clearing_.is_free(geom::Segment{from, to}))
     return Way{{from, to}, distance(from, to), clearing_.clearance()};
   for (const std::uint32_t piece : improved_) best_[piece] = kNever;
   improved_.clear();
-  Search search{from, to, {}, {}};
+  Search search{from, to, {}, {}, {}};
   begin(search);
-  while (search.drop_blocked(*this) && effort_ - effort_before < most_effort) {
+  while (has_next(search) && effort_ - effort_before < most_effort) {
     const std::int32_t step = search.open.top().second;
     search.open.pop();
     if (search.steps[static_cast<std::size_t>(step)].piece.to == Search::kGoal) return way_of(search, step);

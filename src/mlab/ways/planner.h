@@ -80,6 +80,8 @@ class Planner {
   bool is_open(std::uint32_t circle, double angle, double by);
   const Circle& known(std::uint32_t circle);
   void begin(Search& search);
+  void begin_by(std::uint32_t round_number, Search& search);
+  bool has_next(Search& search);
   bool is_blocked(const Step& step) const;
   void go_on(Search& search, std::int32_t step);
   Way way_of(const Search& search, std::int32_t last) const;

@@ -20,6 +20,7 @@ constexpr int kMostRounds = 6;
 constexpr double kLeastSaved = 1e-6;    // [m]
 constexpr double kLeastDrawnIn = 0.02;  // share of a swath
 constexpr double kDrawnInBy = 0.4;      // share of how far a stop is from the straight way
+constexpr double kBox = 4.0;            // swaths: a box in which stops are filed
 constexpr double kStillWorth = 0.95;    // of what the next best is worth
 
 double metres_of(double cells, const SearchGrid& grid) {
@@ -28,8 +29,9 @@ double metres_of(double cells, const SearchGrid& grid) {
 
 }  // namespace
 
-SearchRoute::SearchRoute(SearchGrid& grid, Planner& planner, std::span<const LanePiece> pieces)
-    : grid_(grid), planner_(planner) {
+SearchRoute::SearchRoute(SearchGrid& grid, Planner& planner, std::span<const LanePiece> pieces,
+                         std::uint64_t most_effort)
+    : grid_(grid), planner_(planner), most_effort_(most_effort) {
   for (const LanePiece& piece : pieces) append(piece);
   for (int row = 0; stops_.empty() && row < grid.rows(); ++row) {
     for (int column = 0; stops_.empty() && column < grid.columns(); ++column) {
@@ -90,7 +92,7 @@ void SearchRoute::shorten(double price, std::size_t most_unseen) {
   bool goes_on = true;
   for (int round = 0; goes_on && round < kMostRounds; ++round) {
     goes_on = false;
-    for (auto stop = stops_.begin(); stop != stops_.end();) {
+    for (auto stop = stops_.begin(); stop != stops_.end() && !is_tired();) {
       const auto here = stop++;
       // What wasn't worth it isn't now that less is seen.
       if (here->refused >= price) continue;
@@ -188,6 +190,7 @@ bool SearchRoute::draw_in(Place stop, const Bargain& bargain) {
 void SearchRoute::complete(std::size_t most_unseen) {
   for (int round = 0; round < kMostRounds && grid_.unseen() > most_unseen; ++round) {
     const std::size_t unseen = grid_.unseen();
+    file_stops();
     auto patches = unseen_patches(round == 0 ? most_unseen / 2 : 0);
     add_for(patches, most_unseen);
     if (grid_.unseen() == unseen) return;
@@ -218,8 +221,8 @@ void SearchRoute::add_for(std::vector<Patch>& patches, std::size_t most_unseen) 
   const auto offer = [&](std::size_t patch) {
     if (const auto one = best_detour(patches[patch])) offers.emplace(one->worth(), patches.size() - patch);
   };
-  for (std::size_t patch = 0; patch < patches.size(); ++patch) offer(patch);
-  while (!offers.empty() && grid_.unseen() > most_unseen) {
+  for (std::size_t patch = 0; patch < patches.size() && !is_tired(); ++patch) offer(patch);
+  while (!offers.empty() && grid_.unseen() > most_unseen && !is_tired()) {
     const std::size_t patch = patches.size() - offers.top().second;
     offers.pop();
     std::erase_if(patches[patch], [&](std::size_t cell) { return !grid_.is_unseen(cell); });
@@ -259,18 +262,61 @@ SearchRoute::Patch SearchRoute::unseen_round(int column, int row, std::vector<st
   return out;
 }
 
+void SearchRoute::file_stops() {
+  const double size = kBox * grid_.swath();
+  const Lanes& lanes = grid_.lanes();
+  boxes_along_ = 1 + static_cast<int>(lanes.length / size);
+  boxes_across_ = 1 + static_cast<int>(lanes.spacing * lanes.count / size);
+  boxes_.assign(static_cast<std::size_t>(boxes_along_) * static_cast<std::size_t>(boxes_across_), {});
+  for (auto stop = stops_.begin(); stop != stops_.end(); ++stop) file(stop);
+}
+
+void SearchRoute::file(Place stop) {
+  boxes_[box_of(stop->at)].push_back(stop);
+}
+
+std::size_t SearchRoute::box_of(geom::Point p) const {
+  const LanePlace at = grid_.lanes().to_lanes(p);
+  const double size = kBox * grid_.swath();
+  const auto along = static_cast<int>(std::clamp(at.along / size, 0.0, boxes_along_ - 1.0));
+  const auto across = static_cast<int>(std::clamp(at.across / size, 0.0, boxes_across_ - 1.0));
+  return static_cast<std::size_t>(across) * static_cast<std::size_t>(boxes_along_) +
+         static_cast<std::size_t>(along);
+}
+
+/// Those in the box of a place and in the boxes around it; all where there are none.
+template <class Visit>
+void SearchRoute::each_stop_near(geom::Point p, const Visit& visit) const {
+  const auto box = static_cast<int>(box_of(p));
+  const int along = box % boxes_along_;
+  const int across = box / boxes_along_;
+  bool is_any = false;
+  for (int y = std::max(across - 1, 0); y <= std::min(across + 1, boxes_across_ - 1); ++y) {
+    for (int x = std::max(along - 1, 0); x <= std::min(along + 1, boxes_along_ - 1); ++x) {
+      for (const Place stop : boxes_[static_cast<std::size_t>(y * boxes_along_ + x)]) {
+        is_any = true;
+        visit(stop);
+      }
+    }
+  }
+  if (is_any) return;
+  for (const auto& stops : boxes_) {
+    for (const Place stop : stops) visit(stop);
+  }
+}
+
 geom::Point SearchRoute::nearest(geom::Point p) const {
   geom::Point out = stops_.front().at;
   double least = distance(out, p);
-  for (const Stop& stop : stops_) {
-    if (distance(stop.at, p) - stop.onward.length >= least) continue;
-    for (std::size_t i = 1; i < stop.onward.corners.size(); ++i) {
-      const geom::Point at = nearest_point({stop.onward.corners[i - 1], stop.onward.corners[i]}, p);
+  each_stop_near(p, [&](Place stop) {
+    if (distance(stop->at, p) - stop->onward.length >= least) return;
+    for (std::size_t i = 1; i < stop->onward.corners.size(); ++i) {
+      const geom::Point at = nearest_point({stop->onward.corners[i - 1], stop->onward.corners[i]}, p);
       if (distance(at, p) >= least) continue;
       least = distance(at, p);
       out = at;
     }
-  }
+  });
   return out;
 }
 
@@ -316,13 +362,13 @@ std::optional<SearchRoute::Detour> SearchRoute::detour(geom::Point at) {
     const auto after = std::ranges::upper_bound(places, extra, {}, [](const auto& one) { return one.first; });
     places.insert(after, {extra, before});
   };
-  double from_before = 0.0;  // to there, less the leg instead of which it would be
-  for (auto stop = stops_.begin(); stop != stops_.end(); ++stop) {
+  each_stop_near(at, [&](Place stop) {
+    ++effort_;
     const double here = distance(at, stop->at);
-    offer(from_before + here, stop);
-    from_before = here - stop->onward.length;
-  }
-  offer(from_before, stops_.end());
+    if (stop == stops_.begin()) offer(here, stop);
+    const auto next = std::next(stop);
+    offer(here - stop->onward.length + (next == stops_.end() ? 0.0 : distance(at, next->at)), next);
+  });
   std::optional<Detour> out;
   for (const auto& [least, before] : places) {
     if (out && least >= out->extra) break;
@@ -364,7 +410,9 @@ void SearchRoute::insert(Detour& detour) {
     see(std::prev(detour.before)->onward, -1);
     std::prev(detour.before)->onward = std::move(detour.to);
   }
-  has_changed(stops_.insert(detour.before, {detour.at, std::move(detour.from)}));
+  const auto added = stops_.insert(detour.before, {detour.at, std::move(detour.from)});
+  file(added);
+  has_changed(added);
 }
 
 double SearchRoute::length() const {

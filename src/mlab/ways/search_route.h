@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <list>
 #include <optional>
 #include <span>
@@ -18,13 +19,18 @@ namespace mlab::ways {
 class SearchRoute {
  public:
   /// @param grid, planner  outlive this
-  SearchRoute(SearchGrid& grid, Planner& planner, std::span<const LanePiece> pieces);
+  /// @param most_effort  after so much it is improved no more, and leads as it does then
+  SearchRoute(SearchGrid& grid, Planner& planner, std::span<const LanePiece> pieces,
+              std::uint64_t most_effort);
 
   /// Leaves stops out, as long as no more than `most_unseen` cells are unseen, where each metre saved costs
   /// at most a share `price` of what a metre sees at best.
   void shorten(double price, std::size_t most_unseen);
   /// Adds stops until no more than `most_unseen` cells are unseen, those first that see most for each metre.
   void complete(std::size_t most_unseen);
+
+  /// Stops, and what planned ways were looked for by, that were looked at so far.
+  std::uint64_t effort() const { return effort_ + kStopsOfAnEffort * planner_.effort(); }
 
   double length() const;
   /// Stops without those that lie on the straight way from the one before to the next.
@@ -82,10 +88,25 @@ class SearchRoute {
   void count_gain(Detour& detour);
   void insert(Detour& detour);
   geom::Point nearest(geom::Point p) const;
+  void file_stops();
+  void file(Place stop);
+  std::size_t box_of(geom::Point p) const;
+  template <class Visit>
+  void each_stop_near(geom::Point p, const Visit& visit) const;
+  bool is_tired() const { return effort() > most_effort_; }
 
+  /// What the planner counts as one takes as long as so many stops.
+  static constexpr std::uint64_t kStopsOfAnEffort = 10;
   SearchGrid& grid_;
   Planner& planner_;
   std::list<Stop> stops_;
+  /// Stops by where they are, in square boxes; as they were when detours began to be added, and those added
+  /// since.
+  std::vector<std::vector<Place>> boxes_;
+  int boxes_along_ = 0;
+  int boxes_across_ = 0;
+  std::uint64_t effort_ = 0;
+  std::uint64_t most_effort_;
 };
 
 }  // namespace mlab::ways
