@@ -270,6 +270,23 @@ TEST(Contracts, ACopyGoesOnAlike) {
   }
 }
 
+TEST(TaskWay, EndsWithPlacesThatAreFarBeyondWhatNumbersTell) {
+  for (const double far : {1e15, 1e160, 1e308, HUGE_VAL, kNoNumber}) {
+    std::vector<Contract> contracts(8);
+    for (std::size_t i = 0; i < contracts.size(); ++i) {
+      const double side = i % 2 == 0 ? 1.0 : -1.0;
+      contracts[i].place = {side * far, side * static_cast<double>(i) * far};
+      contracts[i].contractor = {2};
+      contracts[i].state = ContractState::kAwarded;
+      contracts[i].object = {static_cast<std::uint32_t>(i)};
+    }
+    percept::Percepts percepts;
+    percepts.id = {2};
+    percepts.contracts = contracts;
+    EXPECT_EQ(schema::TaskWay(percepts).size(), contracts.size()) << far;
+  }
+}
+
 // --- auctions against the best that there is
 
 struct Routing {
