@@ -6,6 +6,7 @@
 #include "mlab/base/id.h"
 #include "mlab/binding/body.h"
 #include "mlab/geom/pose.h"
+#include "mlab/percept/area_margin.h"
 #include "mlab/percept/needs.h"
 #include "mlab/percept/percepts.h"
 
@@ -45,8 +46,7 @@ struct Object {
   base::ObjectId basket;  ///< the container that it lies in; 0: none. It is out of sight and reach then
 };
 
-/// How near to the edge of the mission area a robot's centre may come [m].
-inline constexpr double kAreaMargin = 0.5;
+using percept::kAreaMargin;
 
 /// How a body fares, as far as it is known.
 struct BodyState {

@@ -5,28 +5,13 @@
 #include <utility>
 
 #include "mlab/base/hash.h"
-#include "mlab/binding/world_view.h"
-#include "mlab/overlay/barriers.h"
+#include "mlab/mission/known_map.h"
 
 namespace mlab::fleet {
 namespace {
 
 // Who is sensed so near to something known is that: sensors and the place of the robot are not exact [m].
 constexpr double kSame = 0.2;
-
-ways::Ground ground_of(const overlay::Overlay& map) {
-  ways::Ground out;
-  for (const overlay::ObstacleDisc& disc : map.obstacles) {
-    if (!disc.is_moving()) out.discs.push_back({disc.center, disc.radius});
-  }
-  for (const overlay::Barrier& one : overlay::barriers(map)) out.walls.push_back(one.segment);
-  return out;
-}
-
-ways::Bounds bounds_of(overlay::Area area) {
-  constexpr double kEdge = binding::kAreaMargin;
-  return {kEdge, kEdge, area.width - kEdge, area.height - kEdge};
-}
 
 // The same for the same things in the same order, in every process.
 std::uint64_t revision_of(const ways::Ground& ground, ways::Bounds bounds) {
@@ -54,7 +39,7 @@ std::uint64_t revision_of(const ways::Ground& ground, ways::Bounds bounds) {
 }  // namespace
 
 TeamGround::TeamGround(const overlay::Overlay& map)
-    : TeamGround(ground_of(map), bounds_of(map.mission_area()), std::nullopt) {}
+    : TeamGround(mission::known_things(map), mission::known_bounds(map), std::nullopt) {}
 
 TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::optional<std::size_t> mapped)
     : ground_(std::move(ground)),

@@ -9,6 +9,10 @@
 
 namespace mlab::mission {
 
+/// The standard robot's `robot_radius` and `avoid_obstacle_safety_margin` [m].
+inline constexpr double kDefaultBodyRadius = 0.2;
+inline constexpr double kDefaultMargin = 5.0;
+
 /// The type of a robot; null where the mission has none of that number.
 inline const RobotType* type_of(const Mission& mission, base::RobotId id) {
   const auto robot = std::ranges::find(mission.robots, id, &Robot::id);

@@ -8,32 +8,17 @@
 #include <numbers>
 #include <utility>
 
+#include "mlab/mission/known_map.h"
 #include "mlab/mission/parameter.h"
-#include "mlab/overlay/barriers.h"
+#include "mlab/percept/shared_route.h"
 #include "mlab/ways/coverage.h"
 
 namespace mlab::mission {
 namespace {
 
-constexpr std::size_t kPiecesOfARobot = 4;
-constexpr std::size_t kMostPieces = 128;
 constexpr int kSidesOfACircle = 32;
 constexpr double kWorthTelling = 0.98;  // a smaller share of the area that is seen
 constexpr double kOffWay = 0.15;        // a robot may be so far beside its lane [m]
-// As the standard robot has them [m].
-constexpr double kRadius = 0.2;
-constexpr double kMargin = 5.0;
-
-ways::Ground ground_of(const overlay::Overlay& map) {
-  ways::Ground out;
-  for (const overlay::ObstacleDisc& disc : map.obstacles) {
-    if (!disc.is_moving()) out.discs.push_back({disc.center, disc.radius});
-  }
-  for (const overlay::Barrier& one : overlay::barriers(map)) out.walls.push_back(one.segment);
-  const overlay::Area area = map.mission_area();
-  out.bounds = {0.0, 0.0, area.width, area.height};
-  return out;
-}
 
 // Cut into pieces of equal length; where one ends and the next begins the point stands twice.
 std::vector<geom::Point> cut(const std::vector<geom::Point>& way, std::size_t pieces) {
@@ -62,7 +47,7 @@ std::vector<geom::Point> cut(const std::vector<geom::Point>& way, std::size_t pi
 std::size_t pieces_of(const ways::Coverage& found, const UnitCommand& command, std::size_t robots) {
   constexpr double kLeast = 3.0;
   const auto most = static_cast<std::size_t>(std::min(found.length / (kLeast * command.swath), 1e3));
-  return std::clamp<std::size_t>(most, 1, std::min(kMostPieces, kPiecesOfARobot * robots));
+  return std::clamp<std::size_t>(most, 1, std::min(percept::kMostParts, percept::kPiecesOfAShare * robots));
 }
 
 std::string warning_of(const ways::Coverage& found, const UnitCommand& command) {
@@ -80,10 +65,11 @@ std::string warning_of(const ways::Coverage& found, const UnitCommand& command) 
   }
   const double seen = found.visible * found.seen;
   if (seen >= kWorthTelling) return {};
-  return fmt::format(
-      "the robots will see {:.0f} % of {}: the rest is closed off, or too near to obstacles for a swath of "
-      "{:g} m",
-      100.0 * seen, command.place_name, command.swath);
+  return fmt::format("the robots will see {:.0f} % of {} with a swath of {:g} m: the rest is {}",
+                     100.0 * seen, command.place_name, command.swath,
+                     found.seen >= ways::Coverage::kWanted
+                         ? "closed off, or too near to obstacles"
+                         : "closed off, or among too many obstacles to be planned");
 }
 
 }  // namespace
@@ -104,14 +90,15 @@ std::vector<geom::Point> area_of(const overlay::ControlMeasure& measure) {
 SearchWay plan_search(const Mission& mission, const UnitCommand& command,
                       const std::vector<base::RobotId>& robots) {
   const RobotType* type = type_of(mission, robots.front());
-  double clearance = kRadius + kMargin;
+  double clearance = kDefaultBodyRadius + kDefaultMargin;
   if (type != nullptr) {
-    clearance = std::max(number_parameter(*type, "robot_radius", kRadius), 0.0) +
-                std::max(number_parameter(*type, "avoid_obstacle_safety_margin", kMargin), 0.0);
+    clearance = std::max(number_parameter(*type, "robot_radius", kDefaultBodyRadius), 0.0) +
+                std::max(number_parameter(*type, "avoid_obstacle_safety_margin", kDefaultMargin), 0.0);
   }
   const double swath = command.swath - 2.0 * std::min(kOffWay, 0.05 * command.swath);
-  const ways::Coverage found =
-      ways::coverage_route(command.route, ground_of(mission.overlay), clearance, swath);
+  ways::Ground ground = known_things(mission.overlay);
+  ground.bounds = known_bounds(mission.overlay);
+  const ways::Coverage found = ways::coverage_route(command.route, ground, clearance, swath);
   SearchWay out;
   out.warning = warning_of(found, command);
   if (!found.waypoints.empty()) out.route = cut(found.waypoints, pieces_of(found, command, robots.size()));

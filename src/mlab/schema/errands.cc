@@ -21,23 +21,6 @@ using percept::Task;
 constexpr double kWait = 1.0;      // for bids [s]
 constexpr double kPatience = 5.0;  // with who is silent [s]
 
-// A piece of a SEARCH ends where a point stands twice.
-std::span<const geom::Point> piece(std::span<const geom::Point> route, std::size_t number) {
-  std::size_t begin = 0;
-  for (std::size_t i = 1; i <= route.size(); ++i) {
-    if (i < route.size() && !(route[i] == route[i - 1])) continue;
-    if (number-- == 0) return route.subspan(begin, i - begin);
-    begin = i;
-  }
-  return {};
-}
-
-std::size_t piece_count(std::span<const geom::Point> route) {
-  std::size_t count = route.empty() ? 0 : 1;
-  for (std::size_t i = 1; i < route.size(); ++i) count += route[i] == route[i - 1] ? 1 : 0;
-  return count;
-}
-
 bool may_bid(const Contract& contract, base::RobotId robot) {
   return contract.state == ContractState::kOpen && contract.reneged != robot;
 }
@@ -77,7 +60,7 @@ constexpr double kFairness = 0.8;
 Errands::Errands(const Percepts& percepts) : order_(percepts.order) {
   static constexpr std::uint64_t kName = base::hash_text("errand");
   task_ = base::combine_bits(kName, order_.sequence);
-  count_ = order_.task == Task::kSearch ? piece_count(order_.route) : order_.route.size();
+  count_ = order_.task == Task::kSearch ? percept::piece_count(order_.route) : order_.route.size();
   count_ = std::min(count_, kMostErrands);
   for (const Contract& contract : percepts.contracts) {
     const std::optional<std::size_t> errand = errand_of(contract);
@@ -89,7 +72,8 @@ Errands::Errands(const Percepts& percepts) : order_(percepts.order) {
 
 std::span<const geom::Point> Errands::way(std::size_t errand) const {
   if (errand >= count_) return {};
-  return order_.task == Task::kSearch ? piece(order_.route, errand) : order_.route.subspan(errand, 1);
+  return order_.task == Task::kSearch ? percept::piece(order_.route, errand)
+                                      : order_.route.subspan(errand, 1);
 }
 
 std::optional<std::size_t> Errands::errand_of(const Contract& contract) const {
@@ -98,9 +82,14 @@ std::optional<std::size_t> Errands::errand_of(const Contract& contract) const {
   return number - 1;
 }
 
+bool Errands::has_one(base::RobotId robot) const {
+  return std::any_of(contracts_.begin(), contracts_.begin() + static_cast<std::ptrdiff_t>(count_),
+                     [&](const Contract* one) { return one != nullptr && is_held(*one, robot); });
+}
+
 bool Errands::is_share_of_another(std::size_t errand, base::RobotId robot) const {
-  const std::size_t first = errand / kPiecesOfAShare * kPiecesOfAShare;
-  for (std::size_t i = first; i < std::min(first + kPiecesOfAShare, count_); ++i) {
+  const std::size_t first = errand / percept::kPiecesOfAShare * percept::kPiecesOfAShare;
+  for (std::size_t i = first; i < std::min(first + percept::kPiecesOfAShare, count_); ++i) {
     const Contract* contract = contracts_[i];
     if (contract != nullptr && contract->contractor.value != 0 && contract->contractor != robot) return true;
   }
@@ -125,7 +114,7 @@ LegWatch::Verdict LegWatch::look(double left, double tolerance, double patience,
 
 namespace {
 
-void announce_errands(const Percepts& percepts, const Errands& errands, const GivenBack& given_back,
+void announce_errands(const Percepts& percepts, const Errands& errands, const ErrandSet& given_back,
                       percept::Action& action) {
   const std::size_t slices = std::max<std::size_t>(percepts.unit.size, 1);
   const auto announce = [&](std::size_t errand) {
@@ -173,7 +162,7 @@ void bid(const Contract& contract, double cost, percept::Action& action) {
   ask_once(action, request);
 }
 
-void bid_for_places(const Percepts& percepts, const Errands& errands, const GivenBack& given_back,
+void bid_for_places(const Percepts& percepts, const Errands& errands, const ErrandSet& given_back,
                     percept::Action& action) {
   const TaskWay way(percepts);
   const double extent = std::max(1.0, extent_of(percepts.order.route));
@@ -206,21 +195,20 @@ void bid_for_places(const Percepts& percepts, const Errands& errands, const Give
 
 // One at a time: of each share the first that is on offer, since the next one begins where it ends; of these
 // the nearest, of others' shares last.
-void bid_for_pieces(const Percepts& percepts, const Errands& errands, const GivenBack& given_back,
+void bid_for_pieces(const Percepts& percepts, const Errands& errands, const ErrandSet& given_back,
                     percept::Action& action) {
-  const TaskWay way(percepts);
-  if (way.size() > 0) return;
+  if (errands.has_one(percepts.id)) return;
   const double aside = 1.0 + route_length(percepts.order.route);  // farther than anything on it
   const Contract* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   std::size_t next_share = 0;
   for (std::size_t i = 0; i < errands.count(); ++i) {
     const Contract* contract = errands.contract(i);
-    if (i / kPiecesOfAShare < next_share) continue;
+    if (i / percept::kPiecesOfAShare < next_share) continue;
     if (contract == nullptr || !may_bid(*contract, percepts.id) || given_back.has(i)) continue;
-    next_share = i / kPiecesOfAShare + 1;
-    const double cost =
-        way.added(contract->place) + (errands.is_share_of_another(i, percepts.id) ? aside : 0.0);
+    next_share = i / percept::kPiecesOfAShare + 1;
+    const double cost = geom::distance(percepts.pose.position, contract->place) +
+                        (errands.is_share_of_another(i, percepts.id) ? aside : 0.0);
     if (cost >= least) continue;
     best = contract;
     least = cost;

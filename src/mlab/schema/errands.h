@@ -9,13 +9,12 @@
 #include "mlab/geom/pose.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/percept/shared_route.h"
 
 namespace mlab::schema {
 
-/// The most parts of an order that a unit shares among its robots; those beyond are nobody's.
-inline constexpr std::size_t kMostErrands = 128;
-/// So many pieces of a SEARCH that follow each other are a share: one robot takes all of them, if it can.
-inline constexpr std::size_t kPiecesOfAShare = 4;
+/// Parts beyond these are nobody's.
+inline constexpr std::size_t kMostErrands = percept::kMostParts;
 
 /// The parts of a robot's order that its unit shares, as it knows of them in this cycle: places to visit, or
 /// pieces of a way to search. Its unit contracts for them under a name of the order's own; the number of a
@@ -34,7 +33,9 @@ class Errands {
   const percept::Contract* contract(std::size_t errand) const { return contracts_[errand]; }
   /// Which part the contract is about.
   std::optional<std::size_t> errand_of(const percept::Contract& contract) const;
-  /// Whether a robot that still has some pieces of that share, or had, is another one.
+  /// Whether that robot has one that is not done.
+  bool has_one(base::RobotId robot) const;
+  /// Whether another robot than this has, or had, one of the pieces of the share that this one belongs to.
   bool is_share_of_another(std::size_t errand, base::RobotId robot) const;
 
  private:
@@ -45,8 +46,8 @@ class Errands {
   std::size_t done_ = 0;
 };
 
-/// Those that a robot gave back, so that it does not bid for them again. Values of a frame.
-struct GivenBack {
+/// A set of parts. A value of a frame.
+struct ErrandSet {
   std::array<std::uint64_t, kMostErrands / 64> bits{};
 
   bool has(std::size_t errand) const { return (bits[errand / 64] >> (errand % 64) & 1U) != 0; }
@@ -91,7 +92,7 @@ class LegWatch {
 struct ErrandState {
   std::int32_t current = -1;  ///< -1: none
   std::uint32_t leg = 0;      ///< of that part's way
-  GivenBack given_back;
+  ErrandSet given_back;       ///< it does not bid for them again
 };
 /// Where a robot is to go next that shares a VISIT or a SEARCH. Announces the parts that nobody has
 /// announced, its own slice first, so that a unit announces all of them soon, and those that nobody wanted,

@@ -73,7 +73,7 @@ std::optional<mission::Command> CommandReader::unit_command(const statement::Uni
   mission::UnitCommand out;
   const bool is_known = read_addressee(action, out);
   out.task = action.task;
-  if (!action.more.empty() || mission::info(action.task).place == "places")
+  if (action.location && mission::info(action.task).place == "places")
     read_places(action, out);
   else if (action.location)
     read_location(action, out);
@@ -151,17 +151,16 @@ void CommandReader::read_location(const statement::UnitAction& action, mission::
 // Of VISIT and PATROL.
 void CommandReader::read_places(const statement::UnitAction& action, mission::UnitCommand& out) {
   const std::size_t errors = diagnostics_.error_count();
-  add_place(*action.location, out);
-  for (const Location& location : action.more) add_place(location, out);
-  const std::size_t count = 1 + action.more.size();
-  out.goal_place = place(
-      {action.location->span.begin, (action.more.empty() ? *action.location : action.more.back()).span.end});
-  for (std::size_t i = 0; i < std::min(count, kMostNamedPlaces); ++i) {
-    const Location& one = i == 0 ? *action.location : action.more[i - 1];
+  std::vector<Location> all = {*action.location};
+  all.insert(all.end(), action.more.begin(), action.more.end());
+  for (const Location& location : all) add_place(location, out);
+  out.goal_place = place({all.front().span.begin, all.back().span.end});
+  for (std::size_t i = 0; i < std::min(all.size(), kMostNamedPlaces); ++i) {
     if (i > 0) out.place_name += ' ';
-    out.place_name += one.name ? one.name->text : one.x.text + " " + one.y.text;
+    out.place_name += all[i].name ? all[i].name->text : all[i].x.text + " " + all[i].y.text;
   }
-  if (count > kMostNamedPlaces) out.place_name += fmt::format(" and {} more", count - kMostNamedPlaces);
+  if (all.size() > kMostNamedPlaces)
+    out.place_name += fmt::format(" and {} more", all.size() - kMostNamedPlaces);
   if (!out.route.empty()) out.goal = out.route.front();
   if (diagnostics_.error_count() > errors) return;
   const std::string_view word = mission::info(action.task).word;

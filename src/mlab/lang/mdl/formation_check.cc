@@ -75,7 +75,7 @@ FormationCheck::FormationCheck(const mission::Mission& mission, text::Diagnostic
   }
   for (const mission::RobotType& type : mission.types) {
     spacing_of_type_.push_back(mission::number_parameter(type, "formation_spacing", kDefaultSpacing));
-    radius_of_type_.push_back(mission::number_parameter(type, "robot_radius", kDefaultBodyRadius));
+    radius_of_type_.push_back(mission::number_parameter(type, "robot_radius", mission::kDefaultBodyRadius));
   }
   for (const mission::Robot& robot : mission.robots) type_of_robot_[robot.id.value] = robot.type;
 }

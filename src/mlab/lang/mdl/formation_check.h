@@ -12,9 +12,6 @@
 
 namespace mlab::mdl {
 
-/// robot_radius where no type of robot says otherwise [m].
-inline constexpr double kDefaultBodyRadius = 0.2;
-
 /// What a formation takes up around its middle, all robots' bodies included [m].
 struct Extent {
   double min_x = 0.0, max_x = 0.0;

@@ -183,7 +183,8 @@ class PlanCheck {
   void check_way(const UnitCommand& c) {
     if (c.task == Task::kStop) return;
     if (mission::info(c.task).is_shared) {
-      for (const base::RobotId id : robots_of(c)) state(id).has_place = false;  // who knows who goes where
+      for (const base::RobotId id : robots_of(c))
+        state(id).has_place = false;  // they settle that among themselves
       return;
     }
     if (c.task == Task::kStart) {
@@ -287,7 +288,7 @@ class PlanCheck {
     const std::uint32_t type = mission_.robots[index_of_.at(id.value)].type;
     while (radius_of_type_.size() <= type) {
       radius_of_type_.push_back(mission::number_parameter(mission_.types[radius_of_type_.size()],
-                                                          "robot_radius", kDefaultBodyRadius));
+                                                          "robot_radius", mission::kDefaultBodyRadius));
     }
     return radius_of_type_[type];
   }
