@@ -1,6 +1,17 @@
 import { expect, test } from "vitest";
 import { begin } from "./begin.ts";
 
+/** The robots run, the unit `scouts` is selected, and a click on the map is a goal. */
+async function beginWithCommandTool() {
+  const { console } = await begin({ mission: "demo_c" });
+  const { page } = console;
+  await console.startRobots();
+  await console.select("scouts");
+  await console.panel("Mission");
+  await page.keyboard.press("o");
+  return { console, page };
+}
+
 test("a typed command shows who is meant before it goes out, and becomes a step", async () => {
   const { console } = await begin({ mission: "demo_c" });
   const { page } = console;
@@ -45,12 +56,7 @@ test("a mistyped command is marked with what is expected, and is not sent", asyn
 });
 
 test("a unit is sent to a place by mouse, with its formation, as the MDL that it means", async () => {
-  const { console } = await begin({ mission: "demo_c" });
-  const { page } = console;
-  await console.startRobots();
-  await console.select("scouts");
-  await console.panel("Mission");
-  await page.keyboard.press("o");
+  const { console, page } = await beginWithCommandTool();
   await page.getByText(/For scouts: click the goal/).waitFor();
   // The heading of the formation by dragging from the goal.
   await console.dragMap([360, 330], [440, 330]);
@@ -83,12 +89,7 @@ test("a unit is sent to a place by mouse, with its formation, as the MDL that it
 });
 
 test("a unit is told by mouse to rally, which takes no formation", async () => {
-  const { console } = await begin({ mission: "demo_c" });
-  const { page } = console;
-  await console.startRobots();
-  await console.select("scouts");
-  await console.panel("Mission");
-  await page.keyboard.press("o");
+  const { console, page } = await beginWithCommandTool();
   await page.getByText(/For scouts: click the goal/).waitFor();
   await console.clickMap(360, 330);
   const order = page.getByRole("dialog", { name: "Command" });
@@ -133,12 +134,7 @@ test("the same box finds units, places, steps and files", async () => {
 });
 
 test("a unit shares places that were clicked one after the other, and Why? says who has which", async () => {
-  const { console } = await begin({ mission: "demo_c" });
-  const { page } = console;
-  await console.startRobots();
-  await console.select("scouts");
-  await console.panel("Mission");
-  await page.keyboard.press("o");
+  const { console, page } = await beginWithCommandTool();
   await console.clickMap(420, 300);
   const order = page.getByRole("dialog", { name: "Command" });
   await order.getByRole("radio", { name: "Visit" }).click();

@@ -95,6 +95,18 @@ class SharedTasks : public testing::Test {
     go(seconds, [] {});
   }
 
+  /// @return  how near some robot came to each of the places [m]
+  std::vector<double> go_and_look(double seconds, const Places& places) {
+    std::vector<double> nearest(places.size(), std::numeric_limits<double>::infinity());
+    go(seconds, [&] {
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::uint32_t robot = 1; robot <= robots(); ++robot)
+          nearest[i] = std::min(nearest[i], geom::distance(places[i], place_of(robot)));
+      }
+    });
+    return nearest;
+  }
+
   geom::Point place_of(std::uint32_t robot) const {
     return run_->fleet().pose(*run_->fleet().find({robot})).position;
   }
@@ -218,13 +230,7 @@ TEST_F(SharedTasks, FiveRobotsVisitTwentyPlacesOnShortWays) {
     base::Random random(seed);
     const Places places = random_places(random, 20);
     make(5, "", "VISIT" + written(places));
-    std::vector<double> nearest(places.size(), 1e9);
-    go(1000, [&] {
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        for (std::uint32_t robot = 1; robot <= 5; ++robot)
-          nearest[i] = std::min(nearest[i], geom::distance(places[i], place_of(robot)));
-      }
-    });
+    const std::vector<double> nearest = go_and_look(1000, places);
     EXPECT_TRUE(is_done()) << told_;
     EXPECT_LE(std::ranges::max(nearest), kTolerance);
     EXPECT_EQ(contacts(), 0U);
@@ -239,13 +245,7 @@ TEST_F(SharedTasks, WhatALostRobotHadIsVisitedByTheOthers) {
   base::Random random(7);
   const Places places = random_places(random, 20);
   make(5, "SET FAILING-ROBOTS 1\nSET FAILURES-WITHIN 30\n", "VISIT" + written(places));
-  std::vector<double> nearest(places.size(), 1e9);
-  go(1000, [&] {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (std::uint32_t robot = 1; robot <= 5; ++robot)
-        nearest[i] = std::min(nearest[i], geom::distance(places[i], place_of(robot)));
-    }
-  });
+  const std::vector<double> nearest = go_and_look(1000, places);
   EXPECT_TRUE(is_done()) << told_;
   EXPECT_LE(std::ranges::max(nearest), kTolerance);
   EXPECT_EQ(lost().size(), 1U);
@@ -261,13 +261,7 @@ TEST_F(SharedTasks, APlaceThatNoWayLeadsToIsNamedAndTheOthersAreVisited) {
   }
   const Places places = {{100, 100}, {300, 200}, {500, 300}};
   make(2, room, "VISIT" + written(places));
-  std::vector<double> nearest(places.size(), 1e9);
-  go(600, [&] {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (std::uint32_t robot = 1; robot <= 2; ++robot)
-        nearest[i] = std::min(nearest[i], geom::distance(places[i], place_of(robot)));
-    }
-  });
+  const std::vector<double> nearest = go_and_look(600, places);
   EXPECT_EQ(run_->state().outcome, mission::Outcome::kFailed);
   EXPECT_LE(nearest[0], kTolerance);
   EXPECT_LE(nearest[2], kTolerance);

@@ -277,7 +277,7 @@ function Command({ row, command, label }: { row: StepRow; command: CommandRow; l
       {isRunning && command.progress < 0 && <p className="small muted">Steered by hand</p>}
       {isRunning && command.progress >= 0 && (
         <div className="step-progress">
-          <Bar share={command.progress} />
+          {(!command.isShared || command.parts > 0) && <Bar share={command.progress} />}
           <span className="small number">{progressText(command)}</span>
         </div>
       )}
