@@ -196,6 +196,19 @@ class NodeMatcher {
   std::vector<bool> is_looked_at_;
 };
 
+// What a formula reads is called after who it is read from.
+std::string renamed_term(const ModelInput& term, const Renames& renames) {
+  const auto renamed = [&](const std::string& was, const std::string& is) {
+    return term.port.starts_with(was) ? is + term.port.substr(was.size()) : term.port;
+  };
+  if (!term.written->as.text.empty()) return term.port;
+  if (const auto* name = std::get_if<cdl::Name>(&term.written->what))
+    return renamed(name->name.text, Renames::in(renames.own, name->name.text));
+  if (const auto* call = std::get_if<cdl::Call>(&term.written->what))
+    return renamed(call->callee.text, renames.declaration(call->callee.text));
+  return term.port;
+}
+
 }  // namespace
 
 bool is_component(const ModelNode& node) {
@@ -244,6 +257,8 @@ InputGroups inputs_of(const ModelNode& node, const Renames* renames) {
     if (input.role == cdl::InputRole::kCase)
       port =
           case_words(std::get<cdl::Select>(node.expression->what).cases[static_cast<std::size_t>(input.at)]);
+    else if (renames != nullptr && input.role == cdl::InputRole::kTerm)
+      port = renamed_term(input, *renames);
     else if (renames != nullptr && call != nullptr)
       port = renames->parameter(call->callee.text, port);
     out[port].push_back(&input);
