@@ -161,12 +161,14 @@ TEST(Difference, TellsTheNameOfAFormulaOnce) {
 TEST(Difference, FollowsANameIntoFormulas) {
   const std::string sense = "assemblage Sight() -> Vector { Sense() }\n";
   const std::string before =
-      sense + "assemblage A(x: number) -> Vector { let y = Noise(); cooperate { x * y * y: Seek(Sight() + y); } }";
+      sense +
+      "assemblage A(x: number) -> Vector { let y = Noise(); cooperate { x * y * y: Seek(Sight() + y); } }";
   EXPECT_EQ(differences(before, replaced(replaced(before, "let y", "let z"), "x * y * y: Seek(Sight() + y)",
                                          "x * z * z: Seek(Sight() + z)")),
             (Lines{"~ A| y (Noise) is now called z"}));
-  EXPECT_EQ(differences(before, replaced(replaced(before, "blage Sight", "blage View"), "k(Sight()", "k(View()")),
-            (Lines{"~ | assemblage Sight is now called View"}));
+  EXPECT_EQ(
+      differences(before, replaced(replaced(before, "blage Sight", "blage View"), "k(Sight()", "k(View()")),
+      (Lines{"~ | assemblage Sight is now called View"}));
 }
 
 TEST(Difference, FollowsAParameterToWhereItIsUsedAndGiven) {
