@@ -22,7 +22,7 @@ export default defineConfig({
     globalSetup: "./one_browser.ts",
     include: ["**/*.test.ts"],
     sequence: { sequencer: LongestFirst },
-    maxWorkers: Math.min(4, availableParallelism() + 1),
+    maxWorkers: Math.min(4, availableParallelism()),
     testTimeout: 300_000,
     hookTimeout: 120_000,
     expect: { poll: { timeout: 90_000 } },

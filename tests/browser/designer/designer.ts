@@ -158,8 +158,18 @@ export class DesignerPage {
     await editor.waitFor({ state: "detached" });
   }
 
+  /** Once more where the page was still moving to its place, and the click went beside. */
   async select(node: Locator): Promise<void> {
-    await node.click({ position: { x: 70, y: 10 } });
+    const selected = node
+      .locator("xpath=ancestor-or-self::*[contains(concat(' ', @class, ' '), ' selected ')]")
+      .first();
+    const isSelected = () =>
+      selected.waitFor({ timeout: 3000 }).then(
+        () => true,
+        () => false,
+      );
+    do await node.click({ position: { x: 70, y: 10 } });
+    while (!(await isSelected()));
   }
 
   /** By the menu of dialogs: under a name in the project. */
