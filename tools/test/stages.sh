@@ -13,11 +13,10 @@ export RC_PARAMS="seed=$(seed_of_commit) ${RC_PARAMS-}"
 # Sanitizers look at what is done, which the first examples of a property have done, too; all of them run in `unit`.
 fewer_examples="$RC_PARAMS max_success=40"
 
-# Tests mostly wait: for robots in real time, for each other.
 run_ctest() {
   local folder=$1
   shift
-  ctest --test-dir "$folder" -j $((jobs + 1)) --output-on-failure --no-tests=ignore "${ctest_options[@]}" "$@"
+  ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=ignore "${ctest_options[@]}" "$@"
 }
 
 configure_test() {

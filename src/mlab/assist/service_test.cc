@@ -345,7 +345,7 @@ RC_GTEST_PROP(Service, ARenamingCanBeTakenBack, ()) {
   RC_ASSERT(applied(changed.source, back->changes.front().splices) == content);
 }
 
-TEST(ServiceSpeed, AFileOfTenThousandLinesIsCompletedWithinFiftyMilliseconds) {
+TEST(ServiceSpeed, AFileOfTenThousandLinesIsCompletedInTheTimeOfACheck) {
   const std::size_t size = base::kMegabyte * 2 / 5;  // ten thousand lines
   std::string content;
   for (int i = 0; content.size() < size; ++i) {
@@ -365,9 +365,13 @@ TEST(ServiceSpeed, AFileOfTenThousandLinesIsCompletedWithinFiftyMilliseconds) {
   };
   ask();  // the library is read once
   // The quickest of some: what else the machine does takes from its caches.
-  double seconds = base::processor_seconds(ask);
-  for (int i = 0; i < 4; ++i) seconds = std::min(seconds, base::processor_seconds(ask));
-  EXPECT_LT(seconds, 0.05 * base::kSlowness);
+  const auto quickest = [](const auto& work) {
+    double out = base::processor_seconds(work);
+    for (int i = 0; i < 4; ++i) out = std::min(out, base::processor_seconds(work));
+    return out;
+  };
+  const double seconds = quickest(ask);
+  EXPECT_LT(seconds, 2.0 * quickest([&] { EXPECT_FALSE(problems(text, around).has_errors()); }));
   RecordProperty("milliseconds", static_cast<int>(seconds * 1000));
 }
 

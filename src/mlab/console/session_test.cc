@@ -68,6 +68,7 @@ TEST(Session, SaysWhoAndWhatThereIsAfterHello) {
   TestSession session(kDemo);
   Browser anna(session, "Anna");
   ASSERT_TRUE(wait_for(anna, Status::READY));
+  ASSERT_TRUE(anna.wait([&] { return anna.clients().clients_size() == 1; }));
   EXPECT_EQ(anna.welcome().client(), 1U);
   EXPECT_EQ(anna.plan().steps_size(), 12);
   EXPECT_EQ(anna.roster().robots_size(), 4);
