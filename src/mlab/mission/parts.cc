@@ -226,7 +226,8 @@ std::vector<PlannedPart> plan_parts(const State& state, Run& run) {
     return alone;
   }
   if (run.command->task == Task::kSearch) {
-    SearchWay way = plan_search(*state.mission, *run.command, run.needed);
+    const std::optional<geom::Point> from = centre(state, {run.needed.front()});
+    SearchWay way = plan_search(*state.mission, *run.command, run.needed, from);
     UnitCommand own = *run.command;
     own.route = std::move(way.route);
     return {{.members = run.needed,

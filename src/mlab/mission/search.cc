@@ -50,15 +50,14 @@ std::size_t pieces_of(const ways::Coverage& found, const UnitCommand& command, s
   return std::clamp<std::size_t>(most, 1, std::min(percept::kMostParts, percept::kPiecesOfAShare * robots));
 }
 
-std::string warning_of(const ways::Coverage& found, const UnitCommand& command) {
+std::string warning_of(const ways::Coverage& found, const UnitCommand& command, const std::string& name) {
   using End = ways::CoverageEnd;
   switch (found.end) {
     case End::kNothingToSearch:
     case End::kUnusable:
-      return fmt::format("nothing of {} can be searched", command.place_name);
+      return fmt::format("nothing of {} can be searched: it is closed off, or too near to obstacles", name);
     case End::kTooLarge:
-      return fmt::format("{} is too large for a swath of {:g} m: it is not searched", command.place_name,
-                         command.swath);
+      return fmt::format("{} is too large for a swath of {:g} m: it is not searched", name, command.swath);
     case End::kCovered:
     case End::kPartly:
       break;
@@ -66,11 +65,28 @@ std::string warning_of(const ways::Coverage& found, const UnitCommand& command) 
   const double seen = found.visible * found.seen;
   if (seen >= kWorthTelling) return {};
   return fmt::format("the robots will see {:.0f} % of {} with a swath of {:g} m: the rest is {}",
-                     100.0 * seen, command.place_name, command.swath,
+                     std::floor(100.0 * seen), name, command.swath,
                      found.seen >= ways::Coverage::kWanted
                          ? "closed off, or too near to obstacles"
                          : "closed off, or among too many obstacles to be planned");
 }
+
+// On what ground a robot searches, and how wide it sees for certain.
+struct Terms {
+  Terms(const Mission& mission, const UnitCommand& command, base::RobotId robot)
+      : ground(known_things(mission.overlay)),
+        swath(command.swath - 2.0 * std::min(kOffWay, 0.05 * command.swath)) {
+    ground.bounds = known_bounds(mission.overlay);
+    const RobotType* const type = type_of(mission, robot);
+    if (type == nullptr) return;
+    clearance = std::max(number_parameter(*type, "robot_radius", kDefaultBodyRadius), 0.0) +
+                std::max(number_parameter(*type, "avoid_obstacle_safety_margin", kDefaultMargin), 0.0);
+  }
+
+  ways::Ground ground;
+  double clearance = kDefaultBodyRadius + kDefaultMargin;
+  double swath;
+};
 
 }  // namespace
 
@@ -88,21 +104,23 @@ std::vector<geom::Point> area_of(const overlay::ControlMeasure& measure) {
 }
 
 SearchWay plan_search(const Mission& mission, const UnitCommand& command,
-                      const std::vector<base::RobotId>& robots) {
-  const RobotType* type = type_of(mission, robots.front());
-  double clearance = kDefaultBodyRadius + kDefaultMargin;
-  if (type != nullptr) {
-    clearance = std::max(number_parameter(*type, "robot_radius", kDefaultBodyRadius), 0.0) +
-                std::max(number_parameter(*type, "avoid_obstacle_safety_margin", kDefaultMargin), 0.0);
-  }
-  const double swath = command.swath - 2.0 * std::min(kOffWay, 0.05 * command.swath);
-  ways::Ground ground = known_things(mission.overlay);
-  ground.bounds = known_bounds(mission.overlay);
-  const ways::Coverage found = ways::coverage_route(command.route, ground, clearance, swath);
+                      const std::vector<base::RobotId>& robots, std::optional<geom::Point> from) {
+  const Terms terms(mission, command, robots.front());
+  const ways::Coverage found =
+      ways::coverage_route(command.route, terms.ground, terms.clearance, terms.swath, from);
   SearchWay out;
-  out.warning = warning_of(found, command);
+  out.warning = warning_of(found, command, command.place_name);
   if (!found.waypoints.empty()) out.route = cut(found.waypoints, pieces_of(found, command, robots.size()));
   return out;
+}
+
+std::string warn_of_search(const Mission& mission, const UnitCommand& command, base::RobotId robot,
+                           std::optional<geom::Point> from, const std::string& name) {
+  const Terms terms(mission, command, robot);
+  ways::Coverage found =
+      ways::coverage_outlook(command.route, terms.ground, terms.clearance, terms.swath, from);
+  found.seen = 1.0;
+  return warning_of(found, command, name);
 }
 
 }  // namespace mlab::mission

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,19 @@ struct SearchWay {
   std::string warning;  ///< what of the area will not be seen, and why; empty: nothing worth telling
 };
 
-/// Over all of the command's outline that is free of what the map shows, at the clearance that its first
-/// robot keeps.
+/// Over all of the command's outline that is free of what the map shows and that a way leads to, at the
+/// clearance that its first robot keeps.
 /// @param command  a SEARCH
 /// @param robots   who shares it, at least one
+/// @param from     where the first of them is; nothing: nobody knows [m, world]
 /// @source  mlab/ways/coverage.h
 SearchWay plan_search(const Mission& mission, const UnitCommand& command,
-                      const std::vector<base::RobotId>& robots);
+                      const std::vector<base::RobotId>& robots, std::optional<geom::Point> from);
+
+/// What of the area no robot will see, and why, as far as that can be told without planning; empty: nothing
+/// worth telling.
+/// @param name  of the area
+std::string warn_of_search(const Mission& mission, const UnitCommand& command, base::RobotId robot,
+                           std::optional<geom::Point> from, const std::string& name);
 
 }  // namespace mlab::mission

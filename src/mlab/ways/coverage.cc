@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "mlab/ways/search_route.h"
 
@@ -15,12 +16,6 @@ constexpr double kUnseen = 0.9 * (1.0 - Coverage::kWanted);
 
 // About five seconds: a square of 1,000 m with 10 % of obstacles takes half of it at a swath of 10 m.
 constexpr std::uint64_t kMostEffort = 250'000'000;
-
-Coverage none(CoverageEnd end) {
-  Coverage out;
-  out.end = end;
-  return out;
-}
 
 bool is_finite(geom::Point p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
@@ -43,31 +38,61 @@ void improve(SearchRoute& route, std::size_t most_unseen) {
   for (const double price : {0.05, 0.2}) route.shorten(price, most_unseen);
 }
 
+// The area in cells, and which of them can be seen.
+class Outlook {
+ public:
+  Outlook(std::span<const geom::Point> outline, const Ground& ground, double clearance, double swath,
+          std::optional<geom::Point> from) {
+    if (!is_usable(outline, ground, clearance, swath)) {
+      told.end = CoverageEnd::kUnusable;
+      return;
+    }
+    if (outline.size() < 3) return;
+    const auto lanes = shortest_lanes(outline, swath, Coverage::kMostLanes);
+    if (lanes) grid = SearchGrid::over(*lanes, swath);
+    if (!grid) {
+      told.end = CoverageEnd::kTooLarge;
+      return;
+    }
+    planner.emplace(ground, clearance);
+    grid->enter(outline, ground, *planner, from);
+    told.free_area = static_cast<double>(grid->to_search()) * grid->cell_area();
+    if (grid->to_see() == 0) return;
+    told.visible = static_cast<double>(grid->visible()) / static_cast<double>(grid->to_search());
+    told.end = CoverageEnd::kPartly;
+  }
+
+  Coverage told;  ///< `kPartly`: grid and planner are there, and something can be seen
+  std::optional<SearchGrid> grid;
+  std::optional<Planner> planner;
+};
+
 }  // namespace
 
+Coverage coverage_outlook(std::span<const geom::Point> outline, const Ground& ground, double clearance,
+                          double swath, std::optional<geom::Point> from) {
+  return Outlook(outline, ground, clearance, swath, from).told;
+}
+
 Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground, double clearance,
-                        double swath) {
-  if (!is_usable(outline, ground, clearance, swath)) return none(CoverageEnd::kUnusable);
-  if (outline.size() < 3) return {};
-  const auto lanes = shortest_lanes(outline, swath, Coverage::kMostLanes);
-  auto grid = lanes ? SearchGrid::over(*lanes, swath) : std::nullopt;
-  if (!grid) return none(CoverageEnd::kTooLarge);
-  Planner planner(ground, clearance);
-  grid->enter(outline, ground, planner);
-  Coverage out;
-  out.free_area = static_cast<double>(grid->to_search()) * grid->cell_area();
-  if (grid->to_see() == 0) return out;
-  const auto to_see = static_cast<double>(grid->to_see());
-  out.visible = static_cast<double>(grid->visible()) / static_cast<double>(grid->to_search());
-  const auto pieces = lane_pieces_in_order(*grid, planner);
-  SearchRoute route(*grid, planner, pieces, kMostEffort);
+                        double swath, std::optional<geom::Point> from) {
+  Outlook outlook(outline, ground, clearance, swath, from);
+  Coverage out = outlook.told;
+  if (out.end != CoverageEnd::kPartly) return out;
+  SearchGrid& grid = *outlook.grid;
+  Planner& planner = *outlook.planner;
+  const auto pieces = lane_pieces_in_order(grid, planner);
+  SearchRoute route(grid, planner, pieces, kMostEffort);
+  const auto to_see = static_cast<double>(grid.to_see());
   const auto most_unseen = static_cast<std::size_t>(kUnseen * to_see);
   improve(route, most_unseen);
   out.waypoints = route.waypoints();
   out.length = route.length();
-  out.seen = 1.0 - static_cast<double>(grid->unseen()) / to_see;
+  out.seen = 1.0 - static_cast<double>(grid.unseen()) / to_see;
   out.end = out.seen >= Coverage::kWanted ? CoverageEnd::kCovered : CoverageEnd::kPartly;
-  if (out.waypoints.size() > Coverage::kMostWaypoints) return none(CoverageEnd::kTooLarge);
+  if (out.waypoints.size() <= Coverage::kMostWaypoints) return out;
+  out = {};
+  out.end = CoverageEnd::kTooLarge;
   return out;
 }
 

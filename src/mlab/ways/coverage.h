@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,9 +35,8 @@ struct Coverage {
 
 /// A way by which one robot sees all of an area, as far as that can be: it comes within half a swath of every
 /// place. Lanes side by side, to and fro, round what stands there; then what they miss is added where it
-/// costs least, and what sees nothing new is left out. Places behind something that a robot can't get round
-/// (of parts between which no way leads, all but the one in which there is most to see) and places too close
-/// to things can't be seen. Very large areas with very many things are not looked at to the end: `seen` says
+/// costs least, and what sees nothing new is left out. Places to which no way leads, and places too close to
+/// things, can't be seen. Very large areas with very many things are not looked at to the end: `seen` says
 /// it. The way may leave the outline by less than half a swath, but not the bounds.
 ///
 /// @param outline    corners of a polygon, in either sense [m, world]; where it crosses itself, what lies
@@ -44,6 +44,8 @@ struct Coverage {
 ///                   an even number of rounds is outside
 /// @param clearance  that the robot's centre keeps from everything [m], >= 0
 /// @param swath      how wide a robot sees, half of it to either side [m], > 0
+/// @param from       where the robots are; without, of parts between which no way leads the one counts in
+///                   which there is most to see [m, world]
 /// @return  the same for the same, whatever was asked before
 /// @source  H. Choset, Coverage of Known Spaces: The Boustrophedon Cellular Decomposition, Autonomous Robots
 /// 9(3),
@@ -51,6 +53,11 @@ struct Coverage {
 ///          (direction of the lanes); E. Galceran, M. Carreras, A survey on coverage path planning for
 ///          robotics, Robotics and Autonomous Systems 61(12), 2013
 Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground, double clearance,
-                        double swath);
+                        double swath, std::optional<geom::Point> from = std::nullopt);
+
+/// What of an area could be seen, without looking for a way by which it is: `kPartly` with its size and the
+/// visible share, where there is something to see.
+Coverage coverage_outlook(std::span<const geom::Point> outline, const Ground& ground, double clearance,
+                          double swath, std::optional<geom::Point> from = std::nullopt);
 
 }  // namespace mlab::ways

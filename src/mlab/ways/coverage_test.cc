@@ -132,6 +132,32 @@ TEST(Coverage, AnswersTheSameEachTime) {
   EXPECT_EQ(coverage_route(turned, ground, 2.0, 10.0).end, CoverageEnd::kCovered);
 }
 
+TEST(Coverage, LooksWhereAWayLeadsFromWhereRobotsAre) {
+  Ground ground;  // more of the area is in the room than outside
+  ground.bounds = {-50.0, -50.0, 150.0, 150.0};
+  const Outline room = {{10.0, 10.0}, {100.0, 10.0}, {100.0, 100.0}, {10.0, 100.0}};
+  for (std::size_t i = 0; i < room.size(); ++i)
+    ground.walls.push_back({room[i], room[(i + 1) % room.size()]});
+  const Outline area = rectangle(100.0, 100.0);
+  const auto is_in_room = [](geom::Point p) {
+    return std::min(p.x, p.y) > 10.0 && std::max(p.x, p.y) < 100.0;
+  };
+  for (const bool is_within : {false, true}) {
+    const geom::Point from = is_within ? geom::Point{50.0, 50.0} : geom::Point{-30.0, 40.0};
+    const Coverage out = coverage_route(area, ground, 1.0, 10.0, from);
+    EXPECT_EQ(out.end, CoverageEnd::kCovered);
+    EXPECT_TRUE(
+        std::ranges::all_of(out.waypoints, [&](geom::Point p) { return is_in_room(p) == is_within; }));
+    // To either side of a wall a robot sees 4 m far beyond it.
+    EXPECT_NEAR(out.visible, is_within ? 0.94 * 0.94 : 1.0 - 0.82 * 0.82, 0.01);
+    const Coverage outlook = coverage_outlook(area, ground, 1.0, 10.0, from);
+    EXPECT_EQ(outlook.visible, out.visible);
+    EXPECT_EQ(outlook.free_area, out.free_area);
+    EXPECT_TRUE(outlook.waypoints.empty());
+  }
+  EXPECT_EQ(coverage_outlook(rectangle(40.0, 40.0), ground, 1.0, 0.001).end, CoverageEnd::kTooLarge);
+}
+
 TEST(Coverage, LeavesOutWhatIsClosedOffAndSaysHowMuch) {
   Ground ground;  // a room of 40 m x 40 m without a door
   const Outline room = {{30.0, 30.0}, {70.0, 30.0}, {70.0, 70.0}, {30.0, 70.0}};

@@ -48,7 +48,8 @@ int SearchGrid::cell_of(double at, int count) {
   return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
 }
 
-void SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner) {
+void SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner,
+                       std::optional<geom::Point> from) {
   enter_inside(outline);
   const Clearing things(ground, 0.0);
   for (int row = 0; row < rows_; ++row) {
@@ -59,7 +60,7 @@ void SearchGrid::enter(std::span<const geom::Point> outline, const Ground& groun
     }
   }
   if (to_search_ == 0) return;
-  enter_parts(planner);
+  enter_parts(planner, from);
   enter_edges(ground, planner.clearing());
   visible_ = static_cast<std::size_t>(std::ranges::count(is_visible_, 1));
   unseen_ = to_see_ = static_cast<std::size_t>(std::ranges::count(can_be_seen_, 1));
@@ -93,7 +94,7 @@ void SearchGrid::enter_inside(std::span<const geom::Point> outline) {
   }
 }
 
-void SearchGrid::enter_parts(Planner& planner) {
+void SearchGrid::enter_parts(Planner& planner, std::optional<geom::Point> from) {
   const Clearing& clearing = planner.clearing();
   constexpr std::int32_t kFree = -1;
   for (int row = 0; row < rows_; ++row) {
@@ -110,7 +111,7 @@ void SearchGrid::enter_parts(Planner& planner) {
       places.push_back(middle(column, row));
     }
   }
-  join_parts(sizes, places, planner);
+  join_parts(sizes, places, planner, from);
 }
 
 /// All cells that a robot comes to from there through cells, and how many of them are to be seen.
@@ -139,15 +140,16 @@ std::size_t SearchGrid::fill_part(int column, int row, std::int32_t part, const 
 
 /// Parts between which ways lead outside of the grid, or through gaps narrower than a cell, are one.
 void SearchGrid::join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
-                            Planner& planner) {
+                            Planner& planner, std::optional<geom::Point> from) {
   std::vector<std::size_t> order;
   for (std::size_t part = 2; part < sizes.size(); ++part) order.push_back(part);
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t part) { return sizes[part]; });
   if (order.size() > kMostParts) order.resize(kMostParts);
   std::vector<std::int32_t> to(sizes.size(), 0);
+  if (from) from = planner.clearing().nearest_free(*from);
   for (const std::size_t part : order) {
-    const bool is_first = part == order.front();
-    if (is_first || planner.find(places[order.front()], places[part])) to[part] = kMain;
+    if (!from) from = places[part];
+    if (planner.find(*from, places[part])) to[part] = kMain;
   }
   for (std::int32_t& part : part_) part = to[static_cast<std::size_t>(part)];
 }

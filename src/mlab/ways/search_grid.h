@@ -23,9 +23,11 @@ class SearchGrid {
   /// Nothing: it would have too many cells.
   static std::optional<SearchGrid> over(const Lanes& lanes, double swath);
 
-  /// Enters what is to be seen, where a robot may be (in the part of the ground in which it sees most, parts
-  /// between which the planner knows a way being one), and what it can see from there.
-  void enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner);
+  /// Enters what is to be seen, where a robot may be, and what it can see from there.
+  /// @param from  where it may be is where the planner knows a way to from there; without, in the part of the
+  ///              ground in which it sees most [m, world]
+  void enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner,
+             std::optional<geom::Point> from);
 
   const Lanes& lanes() const { return lanes_; }
   double swath() const { return swath_; }
@@ -68,10 +70,10 @@ class SearchGrid {
     return {(column - margin_columns_ + 0.5) * step_along_, (row - margin_rows_ + 0.5) * step_across_};
   }
   void enter_inside(std::span<const geom::Point> outline);
-  void enter_parts(Planner& planner);
+  void enter_parts(Planner& planner, std::optional<geom::Point> from);
   std::size_t fill_part(int column, int row, std::int32_t part, const Clearing& clearing);
   void join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
-                  Planner& planner);
+                  Planner& planner, std::optional<geom::Point> from);
   void enter_edges(const Ground& ground, const Clearing& clearing);
   void enter_edge(geom::Point at, const Clearing& clearing);
   void look_from(LanePlace at);
