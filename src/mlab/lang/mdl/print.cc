@@ -3,8 +3,9 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/tree.h"
@@ -180,6 +181,19 @@ std::string text_of(const statement::UnitDefinition& unit) {
   return out;
 }
 
+// Between them a line may end: up to the first place, each of the others, and the rest.
+std::vector<std::string> pieces_of(const statement::UnitAction& s) {
+  std::string begin = s.robots.empty() ? "UNIT " + text_of(s.unit) : s.says_robots ? "ROBOTS" : "ROBOT";
+  for (const Number& robot : s.robots) begin += " " + robot.text;
+  begin += fmt::format(" {}", text_of(s.task));
+  if (s.location) begin += " " + text_of(*s.location);
+  std::vector<std::string> out{std::move(begin)};
+  for (const Location& place : s.more) out.push_back(text_of(place));
+  if (s.step) out.back() += fmt::format(" {} {}", s.step->x.text, s.step->y.text);
+  for (const Clause& c : s.clauses) out.back() += " " + std::visit(ClausePrinter{}, c.what);
+  return out;
+}
+
 struct StatementPrinter {
   std::string operator()(const statement::MissionName& s) const { return "MISSION NAME " + text_of(s.name); }
   std::string operator()(const statement::Scenario& s) const { return "SCENARIO " + text_of(s.name); }
@@ -223,14 +237,7 @@ struct StatementPrinter {
     return s.is_red ? "INJECTTRACK RED" : "INJECTTRACK YELLOW";
   }
   std::string operator()(const statement::UnitAction& s) const {
-    std::string out = s.robots.empty() ? "UNIT " + text_of(s.unit) : s.says_robots ? "ROBOTS" : "ROBOT";
-    for (const Number& robot : s.robots) out += " " + robot.text;
-    out += fmt::format(" {}", text_of(s.task));
-    if (s.location) out += " " + text_of(*s.location);
-    for (const Location& place : s.more) out += " " + text_of(place);
-    if (s.step) out += fmt::format(" {} {}", s.step->x.text, s.step->y.text);
-    for (const Clause& c : s.clauses) out += " " + std::visit(ClausePrinter{}, c.what);
-    return out;
+    return fmt::format("{}", fmt::join(pieces_of(s), " "));
   }
 };
 
@@ -278,10 +285,28 @@ class Printer {
     for (const Statement& command : step.commands) {
       const bool is_first = &command == &step.commands.front();
       if (!is_first) above(command.comments, indent, false);
-      line((is_first ? label : indent) + std::visit(StatementPrinter{}, command.what) +
+      line((is_first ? label : indent) + folded(command, indent + "    ") +
                (&command == &step.commands.back() ? "" : " AND"),
            command.comments.after);
     }
+  }
+
+  // Many places take several lines.
+  static std::string folded(const Statement& command, const std::string& indent) {
+    const auto* action = std::get_if<statement::UnitAction>(&command.what);
+    if (action == nullptr) return std::visit(StatementPrinter{}, command.what);
+    std::string out;
+    std::size_t columns = indent.size();
+    for (const std::string& piece : pieces_of(*action)) {
+      if (out.empty() || columns + piece.size() < kMaxColumns) {
+        columns += piece.size() + 1;
+        out += out.empty() ? piece : " " + piece;
+      } else {
+        columns = indent.size() + piece.size();
+        out += "\n" + indent + piece;
+      }
+    }
+    return out;
   }
 
   void line(const std::string& text, const std::string& comment) {

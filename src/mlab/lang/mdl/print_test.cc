@@ -71,6 +71,22 @@ COMMAND LIST:  -- and now
 )");
 }
 
+TEST(MdlPrint, FoldsManyPlaces) {
+  std::string places;
+  for (int i = 1; i <= 20; ++i) places += " PP-Sample" + std::to_string(i);
+  EXPECT_EQ(
+      printed("unit <u> robot command list:\n1. unit u visit" + places + " 10 20 speed 2 and unit u stop"),
+      R"(UNIT <u> robot
+
+COMMAND LIST:
+
+  1. UNIT u VISIT PP-Sample1 PP-Sample2 PP-Sample3 PP-Sample4 PP-Sample5 PP-Sample6 PP-Sample7
+         PP-Sample8 PP-Sample9 PP-Sample10 PP-Sample11 PP-Sample12 PP-Sample13 PP-Sample14
+         PP-Sample15 PP-Sample16 PP-Sample17 PP-Sample18 PP-Sample19 PP-Sample20 10 20 SPEED 2 AND
+     UNIT u STOP
+)");
+}
+
 TEST(MdlPrint, PrintsTypedCommands) {
   EXPECT_EQ(printed("immediate command: unit u stop and -- soon\n unit <v> robot and obstacle 1 2 3 and "
                     "injecttrack red"),
@@ -231,7 +247,7 @@ class Author {
 
   void unit_command() {
     word("UNIT"), name();
-    switch (up_to(6)) {
+    switch (up_to(8)) {
       case 0:
         word("START"), location();
         if (chance(2)) number(), number();
@@ -250,6 +266,15 @@ class Author {
       case 4:
         word("Rally"), location();
         if (chance(2)) word("SPEED"), number();
+        break;
+      case 5:
+        word(one_of({"VISIT", "Patrol"}));
+        for (int i = up_to(40); i >= 0; --i) location();
+        if (chance(3)) word("UNTIL TIMEOUT 10");
+        break;
+      case 6:
+        word("SEARCH"), name();
+        if (chance(2)) word("SWATH"), number();
         break;
       default:
         word(one_of({"MOVETO", "SWEEPTO"})), location();
