@@ -61,7 +61,7 @@ wire::HistoryExecutable AnswerWriter::describe(const robot::RobotProgram& progra
   out.set_name(program.name);
   out.set_type(program.type);
   out.set_is_open(!program.is_closed());
-  out.set_reports(program.reports);
+  out.set_reports(program.tells.reports);
   for (const auto& [name, value] : program.body) put_number(name, value, *out.add_body());
   const auto [at, is_new] =
       builds_.try_emplace({program.native ? program.native->executable : "", program.program.get(),

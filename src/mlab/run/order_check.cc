@@ -28,6 +28,7 @@ class OrderCheck {
         const auto* one = std::get_if<UnitCommand>(&command);
         if (one == nullptr) continue;
         if (mission::info(one->task).awaits_report && !one->until) check_reports(*one);
+        if (mission::info(one->task).is_shared) check_shares(*one);
         is_only_started &= one->task == Task::kStart || one->task == Task::kStop;
         if (one->task == Task::kStart && has_own_program(*one)) last_start = one;
       }
@@ -54,7 +55,7 @@ class OrderCheck {
   void check_reports(const UnitCommand& command) {
     for (const std::uint32_t type : types_of(command)) {
       const robot::RobotProgram& program = crew_.programs[type];
-      if (!program.can_run() || program.reports || !told_.insert(type).second) continue;
+      if (!program.can_run() || program.tells.reports || !told_.insert(type).second) continue;
       sink_
           .warning(
               "never-reports", command.place,
@@ -65,6 +66,23 @@ class OrderCheck {
           "a program says so by ReportStatus, ReportFlags, ReportDone or ReportStep; robots that act by "
           "themselves "
           "are only started, and run with `mlab run --headless --for SECONDS`"};
+    }
+  }
+
+  void check_shares(const UnitCommand& command) {
+    for (const std::uint32_t type : types_of(command)) {
+      const robot::RobotProgram& program = crew_.programs[type];
+      if (!program.can_run() || !program.tells.reports || program.tells.shares || !idle_.insert(type).second)
+        continue;
+      const std::string_view word = mission::info(command.task).word;
+      sink_
+          .warning("never-shares", command.place,
+                   fmt::format(
+                       "robots of the type `{}` take no part in {}, whose work robots share among themselves",
+                       text::shown(plan_.types[type].name), word))
+          .hints = {
+          "the standard robot does; a program takes its part by NextErrand or by the contract net "
+          "(docs/coordination.md)"};
     }
   }
 
@@ -79,7 +97,8 @@ class OrderCheck {
   const Crew& crew_;
   const mission::Mission& plan_;
   text::Diagnostics& sink_;
-  std::set<std::uint32_t> told_;
+  std::set<std::uint32_t> told_;  // types that never report, as told
+  std::set<std::uint32_t> idle_;  // types that take no part, as told
 };
 
 }  // namespace

@@ -79,6 +79,21 @@ TEST(OrderCheck, WarnsOfOrdersThatAProgramNeverReportsOn) {
   EXPECT_EQ(kinds_of("robot", true), "");
 }
 
+TEST(OrderCheck, WarnsOfRobotsThatTakeNoPartInWhatAUnitShares) {
+  for (const auto& [program, kinds] :
+       {std::pair{"told.cdl", "never-shares "}, {"wander.cdl", "never-reports "}, {"robot", ""}}) {
+    text::Diagnostics sink;
+    auto mission = mission_of(program, true);
+    auto& visit = std::get<UnitCommand>(mission->steps.back().commands.front());
+    visit.task = mission::Task::kVisit;
+    visit.route = {visit.goal};
+    EXPECT_NE(made(mission, sink), nullptr) << text::render(sink);
+    std::string told;
+    for (const text::Diagnostic& one : sink.items()) told += one.kind + " ";
+    EXPECT_EQ(told, kinds) << program;
+  }
+}
+
 TEST(OrderCheck, WarnsNotOfOrdersThatEndAtATime) {
   text::Diagnostics sink;
   EXPECT_NE(made(mission_of("wander.cdl", true, true), sink), nullptr);

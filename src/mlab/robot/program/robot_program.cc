@@ -42,15 +42,20 @@ std::vector<std::string> parameter_names(const flow::Program& program) {
   return out;
 }
 
-// Whether something in it may tell the mission about an order; nobody knows that of what a mission brings
-// itself.
-bool may_report(const flow::Network& network) {
-  return std::ranges::any_of(network.nodes, [](const flow::Node& node) {
+// Nobody knows what a mission's own behaviors do.
+bool has_one_of(const flow::Network& network, std::span<const std::string_view> names) {
+  return std::ranges::any_of(network.nodes, [&](const flow::Node& node) {
     if (node.kind != flow::Node::Kind::kBehavior) return false;
     const flow::Behavior* known = component_library().find(node.behavior).behavior;
-    constexpr std::string_view kTellers[] = {"ReportStatus", "ReportFlags", "ReportDone", "ReportStep"};
-    return known == nullptr || std::ranges::find(kTellers, known->name) != std::end(kTellers);
+    return known == nullptr || std::ranges::find(names, known->name) != names.end();
   });
+}
+
+// What a program may say to the executive and to the other robots of its unit.
+RobotProgram::Tells tells_of(const flow::Network& network) {
+  constexpr std::string_view kTellers[] = {"ReportStatus", "ReportFlags", "ReportDone", "ReportStep"};
+  constexpr std::string_view kSharers[] = {"NextErrand", "TellOfErrand", "BidOnTask"};
+  return {.reports = has_one_of(network, kTellers), .shares = has_one_of(network, kSharers)};
 }
 
 // What a mission says of the values of a program.
@@ -198,7 +203,7 @@ void take_built(const RobotProgram& built, RobotProgram& robot) {
   robot.is_described_only = built.is_described_only;
   robot.body = built.body;
   robot.is_own = built.is_own;
-  robot.reports = built.reports;
+  robot.tells = built.tells;
   robot.places = built.places;
   robot.origin = built.origin;
   robot.executable = built.executable;
@@ -254,7 +259,7 @@ void warn_of_unknown(std::string_view name, const text::Place& place, text::Diag
 }
 
 void take_revealed(RevealedProgram revealed, RobotProgram& robot) {
-  robot.reports = may_report(revealed.network);
+  robot.tells = tells_of(revealed.network);
   robot.places = places_of(revealed.network);
   robot.program = std::move(revealed.built.program);
   robot.hosted = std::move(revealed.built.hosted);
@@ -266,7 +271,7 @@ void take_revealed(RevealedProgram revealed, RobotProgram& robot) {
 RobotProgram as_recorded(RobotProgram robot) {
   robot.is_own = true;
   robot.body = robot.recorded->body;
-  robot.reports = robot.recorded->reports;
+  robot.tells.reports = robot.recorded->reports;
   return robot;
 }
 
@@ -299,13 +304,13 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
   } else if (last_part(name).ends_with(".cnl")) {
     robot.is_own = true;
     if (auto network = read_network(name, place, noted.sources(), sink)) {
-      robot.reports = may_report(network->network);
+      robot.tells = tells_of(network->network);
       take(std::move(network->built));
     }
   } else if (names_configuration(last_part(name))) {
     robot.is_own = true;
     if (auto configured = load_configuration(name, type, place, noted.sources(), sink)) {
-      robot.reports = may_report(configured->lowered.network);
+      robot.tells = tells_of(configured->lowered.network);
       robot.places = places_of(configured->lowered.network);
       take(std::move(configured->built));
       robot.body = std::move(configured->lowered.body);

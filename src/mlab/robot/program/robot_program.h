@@ -74,7 +74,7 @@ struct BuiltProgram {
 struct RecordedProgram {
   std::uint64_t build = 0;                             ///< where it is the same, so is the program
   bool is_open = false;                                ///< in that run its values could be seen
-  bool reports = true;                                 ///< as RobotProgram
+  bool reports = true;                                 ///< as RobotProgram::Tells
   std::map<std::string, double, std::less<>> numbers;  ///< of parameters, before the first cycle, in SI units
   std::map<std::string, double> body;                  ///< as RobotProgram
 };
@@ -101,7 +101,13 @@ struct RobotProgram {
 
   std::vector<PlaceParameter> places = {};  ///< what `place("Gate")` of a configuration became
   bool is_own = false;                      ///< of a network or configuration that the mission names
-  bool reports = true;  ///< false: nothing in it ever says how far the robot is with an order
+
+  /// What can be known of it without running it: false where nothing in it ever does so.
+  struct Tells {
+    bool reports = true;  ///< says how far the robot is with an order
+    bool shares = true;   ///< shares with the others of its unit what is ordered to all of them
+  };
+  Tells tells = {};
 
   /// Somebody answers to the name.
   bool can_run() const { return program != nullptr || native != nullptr || recorded != nullptr; }
