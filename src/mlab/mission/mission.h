@@ -95,6 +95,12 @@ inline constexpr std::uint32_t kNoUnit = std::numeric_limits<std::uint32_t>::max
 
 /// `UNIT u ...`, `ROBOTS 2 5 7 ...`
 struct UnitCommand {
+  /// A place as it is written: `PP-A`, `310 205`.
+  struct Written {
+    std::string name;
+    text::Place place;
+  };
+
   std::uint32_t unit = 0;             ///< index into Mission::units; kNoUnit: `robots` are meant
   std::vector<base::RobotId> robots;  ///< a unit without a name as long as the command lasts, in rank order
   Task task = Task::kMoveTo;
@@ -102,6 +108,7 @@ struct UnitCommand {
   geom::Point goal;                ///< [m, world]
   double radius = 0.0;             ///< RALLY: who is so near to the goal has arrived [m]
   std::vector<geom::Point> route;  ///< FOLLOW; VISIT and PATROL: the places; SEARCH: the outline [m, world]
+  std::vector<Written> written;    ///< VISIT and PATROL: for each point of the route
   double swath = 0.0;              ///< SEARCH: what a robot sees at once is so wide [m]
   geom::Offset start_step;         ///< START: from one robot to the next [m]
   percept::Formation formation = percept::Formation::kNone;

@@ -51,6 +51,10 @@ std::string words_of_lines() {
   return listed(words, " and ");
 }
 
+std::string written(const Location& location) {
+  return location.name ? location.name->text : location.x.text + " " + location.y.text;
+}
+
 }  // namespace
 
 CommandReader::CommandReader(Scope scope, text::SourcePtr source, text::Diagnostics& diagnostics)
@@ -130,7 +134,7 @@ void CommandReader::read_location(const statement::UnitAction& action, mission::
   if (action.task == mission::Task::kRally) out.radius = kRadiusOfAPoint;
   if (!location.name) {
     check_lengths({&location.x, &location.y}, "a coordinate", source_, diagnostics_);
-    out.place_name = location.x.text + " " + location.y.text;
+    out.place_name = written(location);
     out.goal = geom::Point{location.x.value, location.y.value} + scope_.mission.overlay.origin;
     if (follows) {
       diagnostics_.error("not-a-line", place(location.span),
@@ -157,7 +161,7 @@ void CommandReader::read_places(const statement::UnitAction& action, mission::Un
   out.goal_place = place({all.front().span.begin, all.back().span.end});
   for (std::size_t i = 0; i < std::min(all.size(), kMostNamedPlaces); ++i) {
     if (i > 0) out.place_name += ' ';
-    out.place_name += all[i].name ? all[i].name->text : all[i].x.text + " " + all[i].y.text;
+    out.place_name += written(all[i]);
   }
   if (all.size() > kMostNamedPlaces)
     out.place_name += fmt::format(" and {} more", all.size() - kMostNamedPlaces);
@@ -179,14 +183,13 @@ void CommandReader::add_place(const Location& location, mission::UnitCommand& ou
   if (!location.name) {
     check_lengths({&location.x, &location.y}, "a coordinate", source_, diagnostics_);
     out.route.push_back(geom::Point{location.x.value, location.y.value} + scope_.mission.overlay.origin);
-    return;
+  } else if (const overlay::ControlMeasure* found = find_place(*location.name)) {
+    if (!found->is_line() || found->points.size() < 2)
+      out.route.push_back(found->center());
+    else if (may_copy(found->points.size(), location.span))
+      out.route.insert(out.route.end(), found->points.begin(), found->points.end());
   }
-  const overlay::ControlMeasure* found = find_place(*location.name);
-  if (found == nullptr) return;
-  if (!found->is_line() || found->points.size() < 2)
-    out.route.push_back(found->center());
-  else if (may_copy(found->points.size(), location.span))
-    out.route.insert(out.route.end(), found->points.begin(), found->points.end());
+  out.written.resize(out.route.size(), {written(location), place(location.span)});
 }
 
 // Of SEARCH.

@@ -19,6 +19,7 @@
 #include "mlab/lang/mdl/way_check.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/parameter.h"
+#include "mlab/mission/search.h"
 #include "mlab/mission/wording.h"
 
 namespace mlab::mdl {
@@ -29,6 +30,8 @@ using mission::UnitCommand;
 
 // Robots looked at over the whole mission: some tenths of a second.
 constexpr std::uint64_t kMaxRobotVisits = 5'000'000;
+// Areas laid out in cells over the whole mission: some tenths of a second.
+constexpr int kMaxSearches = 10;
 
 // How many robots are in the state that a command meets; the first of them.
 struct Met {
@@ -183,8 +186,7 @@ class PlanCheck {
   void check_way(const UnitCommand& c) {
     if (c.task == Task::kStop) return;
     if (mission::info(c.task).is_shared) {
-      for (const base::RobotId id : robots_of(c))
-        state(id).has_place = false;  // they settle that among themselves
+      check_shared_ways(c);
       return;
     }
     if (c.task == Task::kStart) {
@@ -207,22 +209,60 @@ class PlanCheck {
     }
   }
 
+  // Who goes where they settle among themselves.
+  void check_shared_ways(const UnitCommand& c) {
+    const base::RobotId first = robots_of(c).front();
+    if (state(first).has_place) {
+      for (const UnitCommand& one : one_by_one(c))
+        ways_.check(one, state(first).place, body_radius(first), success_radius(c));
+    }
+    for (const base::RobotId id : robots_of(c)) state(id).has_place = false;
+  }
+
+  // VISIT and PATROL: as if there were a command for each of their places.
+  static std::vector<UnitCommand> one_by_one(const UnitCommand& c) {
+    std::vector<UnitCommand> out;
+    for (std::size_t i = 0; i < std::min(c.route.size(), c.written.size()); ++i) {
+      UnitCommand one;
+      one.unit = c.unit;
+      one.robots = c.robots;
+      one.goal = c.route[i];
+      one.place_name = c.written[i].name;
+      one.goal_place = c.written[i].place;
+      out.push_back(std::move(one));
+    }
+    return out;
+  }
+
   bool has_goal(const UnitCommand& c) const {
     return c.task != Task::kStop && c.task != Task::kStart && c.task != Task::kTeleoperate;
   }
   void check_goal(const UnitCommand& c) {
-    if (!has_goal(c) || c.task == Task::kSearch) return;
+    if (!has_goal(c)) return;
     const double radius = body_radius(robots_of(c).front());
-    if (!mission::info(c.task).is_shared) {
+    if (c.task == Task::kSearch) {
+      check_area(c);
+    } else if (!mission::info(c.task).is_shared) {
       goals_.check(c, radius);
-      return;
+    } else {
+      for (const UnitCommand& one : one_by_one(c)) goals_.check(one, radius);
     }
-    UnitCommand one = c;
-    for (const geom::Point place : c.route) {
-      one.goal = place;
-      one.place_name = fmt::format("{:g} {:g}", place.x, place.y);
-      goals_.check(one, radius);
+  }
+
+  // Of SEARCH.
+  void check_area(const UnitCommand& c) {
+    if (std::ranges::any_of(c.route, [&](geom::Point corner) { return goals_.is_outside(corner); })) {
+      const overlay::Area area = mission_.overlay.mission_area();
+      diagnostics_.warning(
+          "goal-outside-area", c.goal_place,
+          fmt::format("{} reaches out of the mission area of {:g} by {:g} m: what lies there is not searched",
+                      in_backticks(c.place_name), area.width, area.height));
     }
+    if (++searches_ > kMaxSearches) return;
+    const base::RobotId first = robots_of(c).front();
+    const auto from = state(first).has_place ? std::optional(state(first).place) : std::nullopt;
+    std::string warning = mission::warn_of_search(mission_, c, first, from, in_backticks(c.place_name));
+    if (!warning.empty()) diagnostics_.warning("not-searched", c.goal_place, std::move(warning));
   }
 
   void check_start(const UnitCommand& c) {
@@ -308,6 +348,7 @@ class PlanCheck {
   mission::Options options_ = mission_.options;  // in force at this point of the plan
   std::uint64_t visits_ = 0;
   std::uint32_t step_ = 0;
+  int searches_ = 0;
   bool quits_ = false;
   bool is_one_step_ = false;
 };
