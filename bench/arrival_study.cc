@@ -1,0 +1,592 @@
+// Who arrives: units that cross worlds drawn by seeds and come to their goal or not, beside an independent
+// planner that says who could. A line for each kind of world, and with --table a row for each run.
+//
+//     arrival_study [--world NAME] [--runs N] [--robots N] [--formation NAME] [--coverage PERCENT]
+//     [--reactive] [--table FILE]
+//
+// The planner knows everything: a search in a grid of 0.25 m, for each robot alone, as a disc of its radius
+// and its margin. A run is possible where each robot's start reaches a free place within 10 m of the goal. It
+// shares nothing with the ways that robots plan.
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/base/random.h"
+#include "mlab/cell/testing/permission.h"
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/mission/known_map.h"
+#include "mlab/robot/program/robot_program.h"
+#include "mlab/simulated/run.h"
+#include "mlab/text/diagnostic.h"
+#include "mlab/text/source.h"
+
+namespace mlab {
+namespace {
+
+constexpr double kCell = 0.25;     // [m]
+constexpr double kNear = 10.0;     // of the goal [m]
+constexpr double kSpeed = 4.0;     // of a standard robot that its goal alone pulls [m/s]
+constexpr double kBody = 0.2;      // [m]
+constexpr double kOutdoors = 5.2;  // body and margin [m]
+constexpr double kIndoors = kBody + 0.1;
+
+struct Options {
+  std::string world = "field";
+  std::string formation = "Column";
+  int runs = 20;
+  int robots = 4;
+  double coverage = 10.0;
+  bool is_reactive = false;
+  std::string table;
+};
+
+/// A world as a mission and its overlay, from (0, 0) to `size`.
+struct World {
+  geom::Point size;
+  geom::Point start;
+  geom::Point goal;
+  geom::Offset step{0, 20};  ///< from one robot to the next at the start; their row has its middle there
+  double spacing = 50.0;     ///< of formations [m]
+  double clearance = kOutdoors;
+  std::string overlay = {};
+  std::string settings = {};  ///< lines of the mission
+};
+
+std::string disc(double x, double y, double radius) {
+  return fmt::format("OBSTACLE {:.2f} {:.2f} {:.2f}\n", x, y, radius);
+}
+std::string wall(int& number, double x, double y, double to_x, double to_y) {
+  return fmt::format("WALL W{} {:.2f} {:.2f} {:.2f} {:.2f} 2\n", ++number, x, y, to_x, to_y);
+}
+
+World field(double coverage) {
+  World out{.size = {1000, 400}, .start = {200, 200}, .goal = {800, 200}};
+  out.settings = fmt::format(
+      "SET OBSTACLE-COVERAGE {}\nSET MIN-OBSTACLE-RADIUS 2\nSET MAX-OBSTACLE-RADIUS 12\nCREATE-OBSTACLES\n",
+      coverage);
+  return out;
+}
+
+// Four by three rooms of 30 m; each door stands anywhere in its wall, and some walls have none.
+World rooms(base::Random& random) {
+  constexpr int kAcross = 4;
+  constexpr int kUp = 3;
+  constexpr double kRoom = 30.0;
+  World out{.size = {kAcross * kRoom, kUp * kRoom},
+            .start = {15, 15},
+            .goal = {105, 75},
+            .step = {0, 1.5},
+            .spacing = 5,
+            .clearance = kIndoors};
+  int number = 0;
+  // Doors of a tree that joins all rooms, and of half the other walls.
+  std::vector<int> group(kAcross * kUp);
+  for (std::size_t i = 0; i < group.size(); ++i) group[i] = static_cast<int>(i);
+  struct Side {
+    int a, b;
+    bool is_upright;
+  };
+  std::vector<Side> sides;
+  for (int y = 0; y < kUp; ++y) {
+    for (int x = 0; x < kAcross; ++x) {
+      if (x + 1 < kAcross) sides.push_back({y * kAcross + x, y * kAcross + x + 1, true});
+      if (y + 1 < kUp) sides.push_back({y * kAcross + x, (y + 1) * kAcross + x, false});
+    }
+  }
+  for (std::size_t i = sides.size(); i-- > 1;) std::swap(sides[i], sides[random.below(i + 1)]);
+  for (const Side& side : sides) {
+    const int x = side.b % kAcross;
+    const int y = side.b / kAcross;
+    const int from = group[static_cast<std::size_t>(side.a)];
+    const int to = group[static_cast<std::size_t>(side.b)];
+    const bool joins = from != to;
+    for (int& one : group) one = one == from ? to : one;
+    const double at = random.uniform(3, kRoom - 6);
+    const double width = joins || random.uniform() < 0.5 ? random.uniform(2, 4) : 0.0;
+    const double left = x * kRoom;
+    const double low = y * kRoom;
+    if (side.is_upright) {
+      out.overlay +=
+          wall(number, left, low, left, low + at) + wall(number, left, low + at + width, left, low + kRoom);
+    } else {
+      out.overlay +=
+          wall(number, left, low, left + at, low) + wall(number, left + at + width, low, left + kRoom, low);
+    }
+  }
+  return out;
+}
+
+// A corridor of 8 m that turns at random, with a pillar here and there.
+World corridor(base::Random& random) {
+  World out{.size = {340, 200},
+            .start = {20, 100},
+            .goal = {320, 0},
+            .step = {-1.5, 0},
+            .spacing = 5,
+            .clearance = kIndoors};
+  constexpr double kHalf = 4.0;
+  int number = 0;
+  std::string pillars;
+  std::string walls;
+  double y = 100;
+  double x = 0;
+  std::vector<geom::Point> line{{x, y}};
+  while (x < 290) {
+    x += random.uniform(30, 60);
+    line.push_back({std::min(x, 300.0), y});
+    y = std::clamp(y + random.uniform(-60, 60), 20.0, 180.0);
+    line.push_back({std::min(x, 300.0), y});
+  }
+  line.push_back({340, y});
+  out.goal.y = y;
+  // Walls lie beside the line, whose corners are square.
+  for (const double side : {-kHalf, kHalf}) {
+    geom::Point last{0, line[0].y + side};
+    for (std::size_t i = 1; i + 1 < line.size(); i += 2) {
+      const double turn = line[i + 1].y > line[i].y ? 1.0 : -1.0;
+      const geom::Point corner{line[i].x - side * turn, last.y};
+      walls += wall(number, last.x, last.y, corner.x, corner.y);
+      last = {corner.x, line[i + 1].y + side};
+      walls += wall(number, corner.x, corner.y, last.x, last.y);
+    }
+    walls += wall(number, last.x, last.y, 340, last.y);
+  }
+  for (std::size_t i = 0; i + 1 < line.size(); i += 2) {
+    if (line[i + 1].x - line[i].x > 25 && i > 0)
+      pillars +=
+          disc(random.uniform(line[i].x + 10, line[i + 1].x - 10), line[i].y + random.uniform(-2, 2), 0.5);
+  }
+  out.overlay = pillars + walls;
+  return out;
+}
+
+// Ten by eight cells of 12 m, joined by a tree.
+World maze(base::Random& random) {
+  constexpr int kAcross = 10;
+  constexpr int kUp = 8;
+  constexpr double kSide = 12.0;
+  World out{.size = {kAcross * kSide, kUp * kSide},
+            .start = {6, 6},
+            .goal = {kAcross * kSide - 6, kUp * kSide - 6},
+            .step = {0, 0.8},
+            .spacing = 3,
+            .clearance = kIndoors};
+  std::array<std::array<bool, kUp>, kAcross> was{};
+  std::array<std::array<bool, kUp>, kAcross> is_open_east{};
+  std::array<std::array<bool, kUp>, kAcross> is_open_north{};
+  std::vector<std::pair<int, int>> path{{0, 0}};
+  was[0][0] = true;
+  while (!path.empty()) {
+    const auto [x, y] = path.back();
+    std::vector<std::pair<int, int>> next;
+    for (const auto& [dx, dy] : {std::pair{1, 0}, std::pair{-1, 0}, std::pair{0, 1}, std::pair{0, -1}}) {
+      const int to_x = x + dx;
+      const int to_y = y + dy;
+      if (to_x >= 0 && to_y >= 0 && to_x < kAcross && to_y < kUp &&
+          !was.at(static_cast<std::size_t>(to_x)).at(static_cast<std::size_t>(to_y)))
+        next.emplace_back(to_x, to_y);
+    }
+    if (next.empty()) {
+      path.pop_back();
+      continue;
+    }
+    const auto [to_x, to_y] = next[random.below(next.size())];
+    was.at(static_cast<std::size_t>(to_x)).at(static_cast<std::size_t>(to_y)) = true;
+    const auto low_x = static_cast<std::size_t>(std::min(x, to_x));
+    const auto low_y = static_cast<std::size_t>(std::min(y, to_y));
+    (to_x != x ? is_open_east : is_open_north).at(low_x).at(low_y) = true;
+    path.emplace_back(to_x, to_y);
+  }
+  int number = 0;
+  for (std::size_t x = 0; x < kAcross; ++x) {
+    for (std::size_t y = 0; y < kUp; ++y) {
+      const double right = static_cast<double>(x + 1) * kSide;
+      const double top = static_cast<double>(y + 1) * kSide;
+      if (x + 1 < kAcross && !is_open_east.at(x).at(y))
+        out.overlay += wall(number, right, top - kSide, right, top);
+      if (y + 1 < kUp && !is_open_north.at(x).at(y))
+        out.overlay += wall(number, right - kSide, top, right, top);
+    }
+  }
+  return out;
+}
+
+// Twelve bows of rocks that lie across the way, most of them open towards those who come.
+World bows(base::Random& random) {
+  World out{.size = {1000, 400}, .start = {100, 200}, .goal = {900, 200}};
+  for (int bow = 0; bow < 12; ++bow) {
+    const double x = random.uniform(220, 780);
+    const double y = random.uniform(60, 340);
+    const double size = random.uniform(20, 60);
+    const double towards = random.normal() * 0.7;
+    const int rocks = static_cast<int>(size * 2.6 / 8.0);
+    for (int i = -rocks / 2; i <= rocks / 2; ++i) {
+      const double angle = towards + 2.6 / rocks * i;
+      const double rock_x = x + size * std::cos(angle);
+      const double rock_y = y + size * std::sin(angle);
+      if (std::abs(rock_x - 500) < 370) out.overlay += disc(rock_x, rock_y, 5);
+    }
+  }
+  return out;
+}
+
+// Rocks on 3 per cent of the field, and forty discs that go to and fro across it.
+World moving(base::Random& random) {
+  World out{.size = {1000, 400}, .start = {200, 200}, .goal = {800, 200}};
+  double covered = 0.0;
+  while (covered < 0.03 * 1000 * 400) {
+    const geom::Point at{random.uniform(0, 1000), random.uniform(0, 400)};
+    const double radius = random.uniform(2, 12);
+    if (std::min(std::abs(at.x - 200), std::abs(at.x - 800)) < 25) continue;
+    covered += std::numbers::pi * radius * radius;
+    out.overlay += disc(at.x, at.y, radius);
+  }
+  for (int i = 0; i < 40; ++i) {
+    const double x = random.uniform(300, 700);
+    const double y = random.uniform(20, 380);
+    const double radius = random.uniform(1, 4);
+    const double to_x = x + random.uniform(-60, 60);
+    const double to_y = random.uniform(20, 380);
+    out.overlay += fmt::format("OBSTACLE {:.2f} {:.2f} {:.2f} ROUTE {:.2f} {:.2f} SPEED {:.2f}\n", x, y,
+                               radius, to_x, to_y, random.uniform(0.5, 3));
+  }
+  return out;
+}
+
+World world_of(const Options& options, std::uint64_t seed) {
+  base::Random random(seed);
+  if (options.world == "rooms") return rooms(random);
+  if (options.world == "corridor") return corridor(random);
+  if (options.world == "maze") return maze(random);
+  if (options.world == "bows") return bows(random);
+  if (options.world == "moving") return moving(random);
+  return field(options.coverage);
+}
+
+// ---- the independent planner
+
+class Grid {
+ public:
+  explicit Grid(geom::Point size)
+      : across_(static_cast<int>(size.x / kCell) + 1),
+        up_(static_cast<int>(size.y / kCell) + 1),
+        is_blocked_(count()) {}
+
+  void block_disc(geom::Point center, double radius) {
+    each_cell(center.x - radius, center.y - radius, center.x + radius, center.y + radius, [&](int x, int y) {
+      if (std::hypot(x * kCell - center.x, y * kCell - center.y) < radius) is_blocked_[index(x, y)] = true;
+    });
+  }
+  void block_wall(geom::Segment wall, double radius) {
+    const double length_squared = std::pow(wall.b.x - wall.a.x, 2) + std::pow(wall.b.y - wall.a.y, 2);
+    each_cell(
+        std::min(wall.a.x, wall.b.x) - radius, std::min(wall.a.y, wall.b.y) - radius,
+        std::max(wall.a.x, wall.b.x) + radius, std::max(wall.a.y, wall.b.y) + radius, [&](int x, int y) {
+          const double along = length_squared == 0.0 ? 0.0
+                                                     : ((x * kCell - wall.a.x) * (wall.b.x - wall.a.x) +
+                                                        (y * kCell - wall.a.y) * (wall.b.y - wall.a.y)) /
+                                                           length_squared;
+          const double t = std::clamp(along, 0.0, 1.0);
+          if (std::hypot(x * kCell - wall.a.x - t * (wall.b.x - wall.a.x),
+                         y * kCell - wall.a.y - t * (wall.b.y - wall.a.y)) < radius)
+            is_blocked_[index(x, y)] = true;
+        });
+  }
+  /// For each start the length of a way to within kNear of the goal, infinite where there is none: Dijkstra's
+  /// search from all free places there, and what it finds drawn taut.
+  std::vector<double> ways(const std::vector<geom::Point>& starts, geom::Point goal) const {
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    std::vector<double> far(count(), kNever);
+    std::vector<std::int32_t> from(count(), -1);
+    // By length in cells: no step is shorter than one, so that nothing within a bucket is found nearer from
+    // within it.
+    std::vector<std::vector<std::int32_t>> open(1);
+    each_cell(goal.x - kNear, goal.y - kNear, goal.x + kNear, goal.y + kNear, [&](int x, int y) {
+      const std::size_t at = index(x, y);
+      if (is_blocked_[at] || std::hypot(x * kCell - goal.x, y * kCell - goal.y) > kNear) return;
+      far[at] = 0.0;
+      open[0].push_back(static_cast<std::int32_t>(at));
+    });
+    for (std::size_t length = 0; length < open.size(); ++length) {
+      for (const std::int32_t at : std::exchange(open[length], {})) {
+        const double here = far[static_cast<std::size_t>(at)];
+        if (static_cast<std::size_t>(here) != length) continue;
+        for (int dx = -1; dx <= 1; ++dx) {
+          for (int dy = -1; dy <= 1; ++dy) {
+            const int x = at % across_ + dx;
+            const int y = at / across_ + dy;
+            if (!is_free(x, y)) continue;
+            const double next = here + (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0);
+            const std::size_t to = index(x, y);
+            if (next >= far[to]) continue;
+            far[to] = next;
+            from[to] = at;
+            const auto bucket = static_cast<std::size_t>(next);
+            if (open.size() <= bucket) open.resize(bucket + 1);
+            open[bucket].push_back(static_cast<std::int32_t>(to));
+          }
+        }
+      }
+    }
+    std::vector<double> out;
+    for (const geom::Point start : starts) {
+      const int x = static_cast<int>(std::lround(start.x / kCell));
+      const int y = static_cast<int>(std::lround(start.y / kCell));
+      const bool is_there = is_free(x, y) && far[index(x, y)] < kNever;
+      out.push_back(is_there ? taut(static_cast<std::int32_t>(index(x, y)), from) : kNever);
+    }
+    return out;
+  }
+
+ private:
+  std::size_t count() const { return static_cast<std::size_t>(across_) * static_cast<std::size_t>(up_); }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(across_) + static_cast<std::size_t>(x);
+  }
+  bool is_free(int x, int y) const {
+    return x >= 0 && y >= 0 && x < across_ && y < up_ && !is_blocked_[index(x, y)];
+  }
+  void each_cell(double x0, double y0, double x1, double y1,
+                 const std::function<void(int, int)>& visit) const {
+    for (int y = std::max(0, static_cast<int>(y0 / kCell));
+         y <= std::min(up_ - 1, static_cast<int>(y1 / kCell) + 1); ++y) {
+      for (int x = std::max(0, static_cast<int>(x0 / kCell));
+           x <= std::min(across_ - 1, static_cast<int>(x1 / kCell) + 1); ++x)
+        visit(x, y);
+    }
+  }
+  bool sees(std::int32_t a, std::int32_t b) const {
+    const double x0 = a % across_;
+    const double y0 = a / across_;
+    const double x1 = b % across_;
+    const double y1 = b / across_;
+    const int steps = static_cast<int>(2.0 * std::hypot(x1 - x0, y1 - y0)) + 1;
+    for (int i = 1; i < steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      if (!is_free(static_cast<int>(std::lround(x0 + t * (x1 - x0))),
+                   static_cast<int>(std::lround(y0 + t * (y1 - y0)))))
+        return false;
+    }
+    return true;
+  }
+  double taut(std::int32_t at, const std::vector<std::int32_t>& from) const {
+    std::vector<std::int32_t> cells;
+    for (; at >= 0; at = from[static_cast<std::size_t>(at)]) cells.push_back(at);
+    double out = 0.0;
+    for (std::size_t i = 0; i + 1 < cells.size();) {
+      std::size_t next = i + 1;
+      for (std::size_t step = 1; i + step < cells.size(); step *= 2) {
+        if (!sees(cells[i], cells[i + step])) break;
+        next = i + step;
+      }
+      while (next + 1 < cells.size() && sees(cells[i], cells[next + 1])) ++next;
+      out += kCell * std::hypot(cells[i] % across_ - cells[next] % across_,
+                                cells[i] / across_ - cells[next] / across_);
+      i = next;
+    }
+    return out;
+  }
+
+  int across_;
+  int up_;
+  std::vector<bool> is_blocked_;
+};
+
+// ---- runs
+
+struct Row {
+  std::uint64_t seed = 0;
+  bool is_possible = false;
+  bool has_arrived = false;
+  unsigned contacts = 0;
+  double ratio = 0.0;     ///< time, in units of the longest way at kSpeed
+  double farthest = 0.0;  ///< of all robots from the goal, at the end [m]
+  std::string why = {};
+};
+
+std::unique_ptr<run::MissionRun> run_of(const Options& options, const World& world, std::uint64_t seed) {
+  std::string mission = "OVERLAY map.odl\n" + world.settings;
+  mission += fmt::format("SET SEED {}\n", seed);
+  if (options.is_reactive) mission += "SET NAVIGATION REACTIVE\n";
+  mission +=
+      fmt::format("NEW-ROBOT one \"robot\" blue \"\" (formation_spacing = {})\nUNIT <team>", world.spacing);
+  for (int i = 0; i < options.robots; ++i) mission += " one";
+  const geom::Point first = world.start - world.step * (0.5 * (options.robots - 1));
+  mission += fmt::format(
+      "\nCOMMAND LIST:\n0. UNIT team START {:.2f} {:.2f} {} {}\n1. UNIT team MOVETO {} {} FORMATION {}\n",
+      first.x, first.y, world.step.x, world.step.y, world.goal.x, world.goal.y, options.formation);
+  const std::string map =
+      fmt::format("MISSION-AREA {} {}\nCONTROL MEASURES:\n", world.size.x, world.size.y) + world.overlay;
+  mdl::LoadOptions load;
+  load.seed = seed;
+  load.files.is_file = [](const std::string& path) { return path.ends_with("map.odl"); };
+  load.files.read = [&](const std::string& path) { return std::make_shared<text::Source>(path, map); };
+  text::Diagnostics sink;
+  const auto checked =
+      mdl::check_mission(std::make_shared<text::Source>("study.mdl", mission), "", sink, load);
+  run::RunSettings settings;
+  settings.executive.proceed_all = true;
+  robot::ProgramSources sources;
+  sources.permission = cell::testing::code_permitted();
+  std::shared_ptr<const mission::Mission> ready = checked;
+  if (checked && options.world == "unknown") {
+    // What lies there is found out on the way.
+    const auto blind = std::make_shared<mission::Mission>(*checked);
+    overlay::EnvironmentEvent event;
+    event.start = 0.2;
+    for (const overlay::ObstacleDisc& one : blind->overlay.obstacles)
+      event.changes.push_back(overlay::AddObstacle{one.center, one.radius});
+    blind->overlay.obstacles.clear();
+    settings.environment.events.push_back(event);
+    ready = blind;
+  }
+  auto out = ready ? simulated::make_run(ready, sources, settings, sink) : nullptr;
+  if (!out) fmt::print(stderr, "{}\n", text::render(sink));
+  return out;
+}
+
+Row row_of(const Options& options, std::uint64_t seed) {
+  World world = world_of(options, seed);
+  if (options.robots > 4) world.spacing = std::min(world.spacing, 20.0);
+  Row out{.seed = seed};
+  const auto run = run_of(options, world, seed);
+  if (!run) std::exit(1);
+  run->set_observer([&](const mission::Effect& effect) {
+    if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) out.why = told->text;
+  });
+  run->post(mission::event::Execute{});
+  run->step();
+  std::vector<geom::Point> starts;
+  for (const fleet::FleetRobot& robot : run->fleet().robots())
+    starts.push_back(run->fleet().pose(robot).position);
+  while (run->time() < 0.5) run->step();  // until what nobody knows of is there
+  Grid grid(world.size);
+  for (const binding::Disc& one : run->world().discs())
+    grid.block_disc(one.center, one.radius + world.clearance);
+  for (const overlay::Barrier& one : overlay::barriers(run->mission().overlay))
+    grid.block_wall(one.segment, world.clearance);
+  const std::vector<double> ways = grid.ways(starts, world.goal);
+  const double longest = *std::ranges::max_element(ways);
+  out.is_possible = std::isfinite(longest);
+  const double began = run->time();
+  while (run->time() < 20'000.0 && run->step() == run::MissionRun::Progress::kStepped) {
+  }
+  out.has_arrived = run->state().outcome == mission::Outcome::kDone;
+  if (out.has_arrived) out.why.clear();
+  out.ratio = (run->time() - began) * kSpeed / longest;
+  for (const fleet::FleetRobot& robot : run->fleet().robots()) {
+    const binding::BodyState body = run->world().body(robot.body);
+    out.contacts += body.contacts + body.run_over;
+    const geom::Point at = run->fleet().pose(robot).position;
+    out.farthest = std::max(out.farthest, std::hypot(at.x - world.goal.x, at.y - world.goal.y));
+  }
+  return out;
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::ranges::sort(values);
+  return values[std::min(values.size() - 1,
+                         static_cast<std::size_t>(share * static_cast<double>(values.size())))];
+}
+
+int study(const Options& options) {
+  std::vector<Row> rows(static_cast<std::size_t>(options.runs));
+  std::atomic<std::size_t> next = 0;
+  std::atomic<std::size_t> done = 0;
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
+      threads.emplace_back([&] {
+        for (std::size_t at = next++; at < rows.size(); at = next++) {
+          rows[at] = row_of(options, at + 1);
+          fmt::print(stderr, "\r{} of {}", ++done, rows.size());
+        }
+      });
+    }
+  }
+  fmt::print(stderr, "\r");
+  int possible = 0;
+  int arrived = 0;
+  int arrived_of_possible = 0;
+  unsigned contacts = 0;
+  std::vector<double> ratios;
+  for (const Row& row : rows) {
+    possible += row.is_possible ? 1 : 0;
+    arrived += row.has_arrived ? 1 : 0;
+    contacts += row.contacts;
+    if (!row.has_arrived || !row.is_possible) continue;
+    ++arrived_of_possible;
+    ratios.push_back(row.ratio);
+  }
+  fmt::print(
+      "{} {} robots {}{}: {} of {} possible, {} of these arrive ({} of all), {} contacts; time {:.2f} "
+      "median, {:.2f} nine of ten\n",
+      options.world == "field" || options.world == "unknown"
+          ? fmt::format("{} {} %", options.world, options.coverage)
+          : options.world,
+      options.robots, options.formation, options.is_reactive ? " reactive" : "", possible, rows.size(),
+      arrived_of_possible, arrived, contacts, quantile(ratios, 0.5), quantile(ratios, 0.9));
+  if (options.table.empty()) return 0;
+  std::FILE* const out = std::fopen(options.table.c_str(), "w");
+  if (out == nullptr) {
+    std::perror(options.table.c_str());
+    return 1;
+  }
+  fmt::print(out, "seed,possible,arrived,contacts,time,farthest_m,why\n");
+  for (const Row& row : rows)
+    fmt::print(out, "{},{},{},{},{:.3f},{:.1f},\"{}\"\n", row.seed, row.is_possible, row.has_arrived,
+               row.contacts, row.ratio, row.farthest, row.why);
+  return std::fclose(out) == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace mlab
+
+int main(int argc, char** argv) {
+  mlab::Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    const char* const value = i + 1 < argc ? argv[i + 1] : "";
+    const auto is = [&](std::string_view name) { return word == name && ++i < argc; };
+    if (word == "--reactive") {
+      options.is_reactive = true;
+    } else if (is("--world")) {
+      options.world = value;
+    } else if (is("--formation")) {
+      options.formation = value;
+    } else if (is("--runs")) {
+      options.runs = std::max(1, std::atoi(value));
+    } else if (is("--robots")) {
+      options.robots = std::max(1, std::atoi(value));
+    } else if (is("--coverage")) {
+      options.coverage = std::atof(value);
+    } else if (is("--table")) {
+      options.table = value;
+    } else {
+      fmt::print(
+          stderr,
+          "arrival_study [--world field|unknown|rooms|corridor|maze|bows|moving] [--runs N] [--robots N] "
+          "[--formation NAME] [--coverage PERCENT] [--reactive] [--table FILE]\n");
+      return 2;
+    }
+  }
+  return mlab::study(options);
+}
