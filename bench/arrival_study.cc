@@ -20,6 +20,7 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -67,6 +68,7 @@ struct World {
   double clearance = kOutdoors;
   std::string overlay = {};
   std::string settings = {};  ///< lines of the mission
+  bool has_others = false;    ///< another unit of as many goes the other way
 };
 
 std::string disc(double x, double y, double radius) {
@@ -270,6 +272,16 @@ World moving(base::Random& random) {
   return out;
 }
 
+// Two units that change sides through one gap of 12 m, which is not straight ahead.
+World swap(base::Random& random) {
+  World out{.size = {400, 300}, .start = {100, 150}, .goal = {300, 150}};
+  out.has_others = true;
+  const double gap = random.uniform(60, 240);
+  int number = 0;
+  out.overlay = wall(number, 200, 0, 200, gap - 6) + wall(number, 200, gap + 6, 200, 300);
+  return out;
+}
+
 World world_of(const Options& options, std::uint64_t seed) {
   base::Random random(seed);
   if (options.world == "rooms") return rooms(random);
@@ -277,6 +289,7 @@ World world_of(const Options& options, std::uint64_t seed) {
   if (options.world == "maze") return maze(random);
   if (options.world == "bows") return bows(random);
   if (options.world == "moving") return moving(random);
+  if (options.world == "swap") return swap(random);
   return field(options.coverage);
 }
 
@@ -311,7 +324,7 @@ class Grid {
   }
   /// For each start the length of a way to within kNear of the goal, infinite where there is none: Dijkstra's
   /// search from all free places there, and what it finds drawn taut.
-  std::vector<double> ways(const std::vector<geom::Point>& starts, geom::Point goal) const {
+  std::vector<double> ways(std::span<const geom::Point> starts, geom::Point goal) const {
     constexpr double kNever = std::numeric_limits<double>::infinity();
     std::vector<double> far(count(), kNever);
     std::vector<std::int32_t> from(count(), -1);
@@ -428,10 +441,24 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const World& wor
   mission +=
       fmt::format("NEW-ROBOT one \"robot\" blue \"\" (formation_spacing = {})\nUNIT <team>", world.spacing);
   for (int i = 0; i < options.robots; ++i) mission += " one";
-  const geom::Point first = world.start - world.step * (0.5 * (options.robots - 1));
-  mission += fmt::format(
-      "\nCOMMAND LIST:\n0. UNIT team START {:.2f} {:.2f} {} {}\n1. UNIT team MOVETO {} {} FORMATION {}\n",
-      first.x, first.y, world.step.x, world.step.y, world.goal.x, world.goal.y, options.formation);
+  const geom::Offset half_row = world.step * (0.5 * (options.robots - 1));
+  const auto start = [&](std::string_view unit, geom::Point at) {
+    const geom::Point first = at - half_row;
+    return fmt::format("UNIT {} START {:.2f} {:.2f} {} {}", unit, first.x, first.y, world.step.x,
+                       world.step.y);
+  };
+  const auto go = [&](std::string_view unit, geom::Point to) {
+    return fmt::format("UNIT {} MOVETO {} {} FORMATION {}", unit, to.x, to.y, options.formation);
+  };
+  std::string starts = start("team", world.start);
+  std::string goes = go("team", world.goal);
+  if (world.has_others) {
+    mission += "\nUNIT <others>";
+    for (int i = 0; i < options.robots; ++i) mission += " one";
+    starts += " AND\n" + start("others", world.goal);
+    goes += " AND\n" + go("others", world.start);
+  }
+  mission += "\nCOMMAND LIST:\n0. " + starts + "\n1. " + goes + "\n";
   const std::string map =
       fmt::format("MISSION-AREA {} {}\nCONTROL MEASURES:\n", world.size.x, world.size.y) + world.overlay;
   mdl::LoadOptions load;
@@ -482,8 +509,13 @@ Row row_of(const Options& options, std::uint64_t seed) {
     grid.block_disc(one.center, one.radius + world.clearance);
   for (const overlay::Barrier& one : overlay::barriers(run->mission().overlay))
     grid.block_wall(one.segment, world.clearance);
-  const std::vector<double> ways = grid.ways(starts, world.goal);
-  const double longest = *std::ranges::max_element(ways);
+  double longest = 0.0;
+  const auto look = [&](std::span<const geom::Point> from, geom::Point goal) {
+    for (const double way : grid.ways(from, goal)) longest = std::max(longest, way);
+  };
+  const auto count = static_cast<std::size_t>(options.robots);
+  look({starts.data(), count}, world.goal);
+  if (world.has_others) look({starts.data() + count, count}, world.start);
   out.is_possible = std::isfinite(longest);
   const double began = run->time();
   while (run->time() < 20'000.0 && run->step() == run::MissionRun::Progress::kStepped) {
@@ -495,7 +527,8 @@ Row row_of(const Options& options, std::uint64_t seed) {
     const binding::BodyState body = run->world().body(robot.body);
     out.contacts += body.contacts + body.run_over;
     const geom::Point at = run->fleet().pose(robot).position;
-    out.farthest = std::max(out.farthest, std::hypot(at.x - world.goal.x, at.y - world.goal.y));
+    const bool is_other = robot.id.value > static_cast<std::uint32_t>(options.robots);
+    out.farthest = std::max(out.farthest, geom::distance(at, is_other ? world.start : world.goal));
   }
   return out;
 }
@@ -581,10 +614,10 @@ int main(int argc, char** argv) {
     } else if (is("--table")) {
       options.table = value;
     } else {
-      fmt::print(
-          stderr,
-          "arrival_study [--world field|unknown|rooms|corridor|maze|bows|moving] [--runs N] [--robots N] "
-          "[--formation NAME] [--coverage PERCENT] [--reactive] [--table FILE]\n");
+      fmt::print(stderr,
+                 "arrival_study [--world field|unknown|rooms|corridor|maze|bows|moving|swap] [--runs N] "
+                 "[--robots N] "
+                 "[--formation NAME] [--coverage PERCENT] [--reactive] [--table FILE]\n");
       return 2;
     }
   }
