@@ -80,8 +80,10 @@ TEST(OrderCheck, WarnsOfOrdersThatAProgramNeverReportsOn) {
 }
 
 TEST(OrderCheck, WarnsOfRobotsThatTakeNoPartInWhatAUnitShares) {
-  for (const auto& [program, kinds] :
-       {std::pair{"told.cdl", "never-shares "}, {"wander.cdl", "never-reports "}, {"robot", ""}}) {
+  for (const auto& [program, kinds] : {std::pair{"told.cdl", "never-shares "},
+                                       {"wander.cdl", "never-reports "},
+                                       {"mrv2", "never-reports "},
+                                       {"robot", ""}}) {
     text::Diagnostics sink;
     auto mission = mission_of(program, true);
     auto& visit = std::get<UnitCommand>(mission->steps.back().commands.front());

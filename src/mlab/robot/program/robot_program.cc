@@ -298,6 +298,7 @@ std::optional<RobotProgram> load_program(const std::string& name, const text::Pl
     take_built(*built, robot);
   } else if (const std::string_view known = library::find_robot(last_part(name)); !known.empty()) {
     if (auto configured = library_robot(known, place, sources, sink)) {
+      robot.tells = tells_of(configured->lowered.network);
       take(std::move(configured->built));
       robot.body = std::move(configured->lowered.body);
     }
