@@ -282,6 +282,9 @@ World swap(base::Random& random) {
   return out;
 }
 
+constexpr std::array<std::string_view, 8> kWorlds = {"field", "unknown", "rooms",  "corridor",
+                                                     "maze",  "bows",    "moving", "swap"};
+
 World world_of(const Options& options, std::uint64_t seed) {
   base::Random random(seed);
   if (options.world == "rooms") return rooms(random);
@@ -595,31 +598,35 @@ int study(const Options& options) {
 
 int main(int argc, char** argv) {
   mlab::Options options;
-  for (int i = 1; i < argc; ++i) {
+  bool is_good = true;
+  for (int i = 1; i < argc; i += 2) {
     const std::string_view word = argv[i];
-    const char* const value = i + 1 < argc ? argv[i + 1] : "";
-    const auto is = [&](std::string_view name) { return word == name && ++i < argc; };
     if (word == "--reactive") {
       options.is_reactive = true;
-    } else if (is("--world")) {
+      --i;
+      continue;
+    }
+    const char* const value = i + 1 < argc ? argv[i + 1] : "";
+    if (word == "--world") {
       options.world = value;
-    } else if (is("--formation")) {
+    } else if (word == "--formation") {
       options.formation = value;
-    } else if (is("--runs")) {
+    } else if (word == "--runs") {
       options.runs = std::max(1, std::atoi(value));
-    } else if (is("--robots")) {
+    } else if (word == "--robots") {
       options.robots = std::max(1, std::atoi(value));
-    } else if (is("--coverage")) {
+    } else if (word == "--coverage") {
       options.coverage = std::atof(value);
-    } else if (is("--table")) {
+    } else if (word == "--table") {
       options.table = value;
     } else {
-      fmt::print(stderr,
-                 "arrival_study [--world field|unknown|rooms|corridor|maze|bows|moving|swap] [--runs N] "
-                 "[--robots N] "
-                 "[--formation NAME] [--coverage PERCENT] [--reactive] [--table FILE]\n");
-      return 2;
+      is_good = false;
     }
   }
-  return mlab::study(options);
+  if (is_good && std::ranges::count(mlab::kWorlds, options.world) == 1) return mlab::study(options);
+  fmt::print(
+      stderr,
+      "arrival_study [--world field|unknown|rooms|corridor|maze|bows|moving|swap] [--runs N] [--robots N]\n"
+      "              [--formation NAME] [--coverage PERCENT] [--reactive] [--table FILE]\n");
+  return 2;
 }
