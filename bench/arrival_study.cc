@@ -15,6 +15,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -56,6 +58,7 @@ struct Options {
   double coverage = 10.0;
   bool is_reactive = false;
   std::string table;
+  std::string folder;  ///< where the mission and the map of each run are left
 };
 
 /// A world as a mission and its overlay, from (0, 0) to `size`.
@@ -464,6 +467,12 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const World& wor
   mission += "\nCOMMAND LIST:\n0. " + starts + "\n1. " + goes + "\n";
   const std::string map =
       fmt::format("MISSION-AREA {} {}\nCONTROL MEASURES:\n", world.size.x, world.size.y) + world.overlay;
+  if (!options.folder.empty()) {
+    std::filesystem::create_directories(options.folder);
+    std::ofstream(fmt::format("{}/study_{}.mdl", options.folder, seed))
+        << fmt::format("OVERLAY map_{}.odl\n", seed) << mission.substr(mission.find('\n') + 1);
+    std::ofstream(fmt::format("{}/map_{}.odl", options.folder, seed)) << map;
+  }
   mdl::LoadOptions load;
   load.seed = seed;
   load.files.is_file = [](const std::string& path) { return path.ends_with("map.odl"); };
@@ -617,6 +626,8 @@ int main(int argc, char** argv) {
       options.robots = std::max(1, std::atoi(value));
     } else if (word == "--coverage") {
       options.coverage = std::atof(value);
+    } else if (word == "--write") {
+      options.folder = value;
     } else if (word == "--table") {
       options.table = value;
     } else {
@@ -627,6 +638,6 @@ int main(int argc, char** argv) {
   fmt::print(
       stderr,
       "arrival_study [--world field|unknown|rooms|corridor|maze|bows|moving|swap] [--runs N] [--robots N]\n"
-      "              [--formation NAME] [--coverage PERCENT] [--reactive] [--table FILE]\n");
+      "              [--formation NAME] [--coverage PERCENT] [--reactive] [--table FILE] [--write FOLDER]\n");
   return 2;
 }
