@@ -218,12 +218,17 @@ std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geo
 }
 
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const PlannedWay& way,
-              geom::Point from, double stray) {
+              geom::Point from, double stray, bool is_body) {
   if (!is_same_ground && (way.end == WayEnd::kClosedOff || !is_open(ground, way))) return false;
   const auto points = way.points();
   const double length = route_length(points);
   const double at = nearest_way(points, from, 0.0, length);
-  return distance(route_point(points, at), from) <= stray && (way.end != WayEnd::kFull || at < 0.7 * length);
+  const double off = distance(route_point(points, at), from);
+  if (off > stray || (way.end == WayEnd::kFull && at >= 0.7 * length)) return false;
+  if (!is_body || off <= way.clearance) return true;
+  const geom::Segment ahead{from, carrot_on(way, from, at, kLookahead)};
+  return std::ranges::none_of(ground.walls,
+                              [&](const geom::Segment& wall) { return intersects(ahead, wall); });
 }
 
 bool is_open(const percept::KnownGround& ground, const PlannedWay& way) {

@@ -42,9 +42,13 @@ ways::PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from
 std::size_t corners_passed(const ways::PlannedWay& way, double at, std::span<const geom::Point> corners);
 
 /// Whether a way that was planned on other ground still leads where it did: nothing stands on it, and who is
-/// on it is no farther off than `stray` [m], nor near the end of one that was too long to be told.
+/// on it is no farther off than `stray` [m], nor near the end of one that was too long to be told. Between a
+/// body and where it heads for is no wall, either.
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const ways::PlannedWay& way,
-              geom::Point from, double stray);
+              geom::Point from, double stray, bool is_body);
+
+/// So far ahead on a way is where who follows it heads for, where he is not told otherwise [m].
+inline constexpr double kLookahead = 2.0;
 
 /// Whether nothing that is known stands nearer to the way's pieces than its clearance, but for its ends.
 bool is_open(const percept::KnownGround& ground, const ways::PlannedWay& way);
