@@ -293,7 +293,8 @@ void SearchRoute::each_stop_near(geom::Point p, const Visit& visit) const {
   bool is_any = false;
   for (int y = std::max(across - 1, 0); y <= std::min(across + 1, boxes_across_ - 1); ++y) {
     for (int x = std::max(along - 1, 0); x <= std::min(along + 1, boxes_along_ - 1); ++x) {
-      for (const Place stop : boxes_[static_cast<std::size_t>(y * boxes_along_ + x)]) {
+      for (const auto stop : boxes_[static_cast<std::size_t>(y) * static_cast<std::size_t>(boxes_along_) +
+                                    static_cast<std::size_t>(x)]) {
         is_any = true;
         visit(stop);
       }
@@ -301,7 +302,7 @@ void SearchRoute::each_stop_near(geom::Point p, const Visit& visit) const {
   }
   if (is_any) return;
   for (const auto& stops : boxes_) {
-    for (const Place stop : stops) visit(stop);
+    for (const auto stop : stops) visit(stop);
   }
 }
 
