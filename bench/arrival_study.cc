@@ -9,7 +9,6 @@
 // shares nothing with the ways that robots plan.
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -20,7 +19,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <numbers>
 #include <span>
 #include <string>
@@ -31,7 +29,7 @@
 
 #include <fmt/core.h>
 
-#include "mlab/base/random.h"
+#include "arrival_worlds.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/mission/known_map.h"
@@ -40,15 +38,12 @@
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/source.h"
 
-namespace mlab {
+namespace mlab::bench {
 namespace {
 
-constexpr double kCell = 0.25;     // [m]
-constexpr double kNear = 10.0;     // of the goal [m]
-constexpr double kSpeed = 4.0;     // of a standard robot that its goal alone pulls [m/s]
-constexpr double kBody = 0.2;      // [m]
-constexpr double kOutdoors = 5.2;  // body and margin [m]
-constexpr double kIndoors = kBody + 0.1;
+constexpr double kCell = 0.25;  // [m]
+constexpr double kNear = 10.0;  // of the goal [m]
+constexpr double kSpeed = 4.0;  // of a standard robot that its goal alone pulls [m/s]
 
 struct Options {
   std::string world = "field";
@@ -60,244 +55,6 @@ struct Options {
   std::string table;
   std::string folder;  ///< where the mission and the map of each run are left
 };
-
-/// A world as a mission and its overlay, from (0, 0) to `size`.
-struct World {
-  geom::Point size;
-  geom::Point start;
-  geom::Point goal;
-  geom::Offset step{0, 20};  ///< from one robot to the next at the start; their row has its middle there
-  double spacing = 50.0;     ///< of formations [m]
-  double clearance = kOutdoors;
-  std::string overlay = {};
-  std::string settings = {};  ///< lines of the mission
-  bool has_others = false;    ///< another unit of as many goes the other way
-};
-
-std::string disc(double x, double y, double radius) {
-  return fmt::format("OBSTACLE {:.2f} {:.2f} {:.2f}\n", x, y, radius);
-}
-std::string wall(int& number, double x, double y, double to_x, double to_y) {
-  return fmt::format("WALL W{} {:.2f} {:.2f} {:.2f} {:.2f} 2\n", ++number, x, y, to_x, to_y);
-}
-
-World field(double coverage) {
-  World out{.size = {1000, 400}, .start = {200, 200}, .goal = {800, 200}};
-  out.settings = fmt::format(
-      "SET OBSTACLE-COVERAGE {}\nSET MIN-OBSTACLE-RADIUS 2\nSET MAX-OBSTACLE-RADIUS 12\nCREATE-OBSTACLES\n",
-      coverage);
-  return out;
-}
-
-// Four by three rooms of 30 m; each door stands anywhere in its wall, and some walls have none.
-World rooms(base::Random& random) {
-  constexpr int kAcross = 4;
-  constexpr int kUp = 3;
-  constexpr double kRoom = 30.0;
-  World out{.size = {kAcross * kRoom, kUp * kRoom},
-            .start = {15, 15},
-            .goal = {105, 75},
-            .step = {0, 1.5},
-            .spacing = 5,
-            .clearance = kIndoors};
-  int number = 0;
-  // Doors of a tree that joins all rooms, and of half the other walls.
-  std::vector<int> group(kAcross * kUp);
-  for (std::size_t i = 0; i < group.size(); ++i) group[i] = static_cast<int>(i);
-  struct Side {
-    int a, b;
-    bool is_upright;
-  };
-  std::vector<Side> sides;
-  for (int y = 0; y < kUp; ++y) {
-    for (int x = 0; x < kAcross; ++x) {
-      if (x + 1 < kAcross) sides.push_back({y * kAcross + x, y * kAcross + x + 1, true});
-      if (y + 1 < kUp) sides.push_back({y * kAcross + x, (y + 1) * kAcross + x, false});
-    }
-  }
-  for (std::size_t i = sides.size(); i-- > 1;) std::swap(sides[i], sides[random.below(i + 1)]);
-  for (const Side& side : sides) {
-    const int x = side.b % kAcross;
-    const int y = side.b / kAcross;
-    const int from = group[static_cast<std::size_t>(side.a)];
-    const int to = group[static_cast<std::size_t>(side.b)];
-    const bool joins = from != to;
-    for (int& one : group) one = one == from ? to : one;
-    const double at = random.uniform(3, kRoom - 6);
-    const double width = joins || random.uniform() < 0.5 ? random.uniform(2, 4) : 0.0;
-    const double left = x * kRoom;
-    const double low = y * kRoom;
-    if (side.is_upright) {
-      out.overlay +=
-          wall(number, left, low, left, low + at) + wall(number, left, low + at + width, left, low + kRoom);
-    } else {
-      out.overlay +=
-          wall(number, left, low, left + at, low) + wall(number, left + at + width, low, left + kRoom, low);
-    }
-  }
-  return out;
-}
-
-// A corridor of 8 m that turns at random, with a pillar here and there.
-World corridor(base::Random& random) {
-  World out{.size = {340, 200},
-            .start = {20, 100},
-            .goal = {320, 0},
-            .step = {-1.5, 0},
-            .spacing = 5,
-            .clearance = kIndoors};
-  constexpr double kHalf = 4.0;
-  int number = 0;
-  std::string pillars;
-  std::string walls;
-  double y = 100;
-  double x = 0;
-  std::vector<geom::Point> line{{x, y}};
-  while (x < 290) {
-    x += random.uniform(30, 60);
-    line.push_back({std::min(x, 300.0), y});
-    y = std::clamp(y + random.uniform(-60, 60), 20.0, 180.0);
-    line.push_back({std::min(x, 300.0), y});
-  }
-  line.push_back({340, y});
-  out.goal.y = y;
-  // Walls lie beside the line, whose corners are square.
-  for (const double side : {-kHalf, kHalf}) {
-    geom::Point last{0, line[0].y + side};
-    for (std::size_t i = 1; i + 1 < line.size(); i += 2) {
-      const double turn = line[i + 1].y > line[i].y ? 1.0 : -1.0;
-      const geom::Point corner{line[i].x - side * turn, last.y};
-      walls += wall(number, last.x, last.y, corner.x, corner.y);
-      last = {corner.x, line[i + 1].y + side};
-      walls += wall(number, corner.x, corner.y, last.x, last.y);
-    }
-    walls += wall(number, last.x, last.y, 340, last.y);
-  }
-  for (std::size_t i = 0; i + 1 < line.size(); i += 2) {
-    if (line[i + 1].x - line[i].x > 25 && i > 0)
-      pillars +=
-          disc(random.uniform(line[i].x + 10, line[i + 1].x - 10), line[i].y + random.uniform(-2, 2), 0.5);
-  }
-  out.overlay = pillars + walls;
-  return out;
-}
-
-// Ten by eight cells of 12 m, joined by a tree.
-World maze(base::Random& random) {
-  constexpr int kAcross = 10;
-  constexpr int kUp = 8;
-  constexpr double kSide = 12.0;
-  World out{.size = {kAcross * kSide, kUp * kSide},
-            .start = {6, 6},
-            .goal = {kAcross * kSide - 6, kUp * kSide - 6},
-            .step = {0, 0.8},
-            .spacing = 3,
-            .clearance = kIndoors};
-  std::array<std::array<bool, kUp>, kAcross> was{};
-  std::array<std::array<bool, kUp>, kAcross> is_open_east{};
-  std::array<std::array<bool, kUp>, kAcross> is_open_north{};
-  std::vector<std::pair<int, int>> path{{0, 0}};
-  was[0][0] = true;
-  while (!path.empty()) {
-    const auto [x, y] = path.back();
-    std::vector<std::pair<int, int>> next;
-    for (const auto& [dx, dy] : {std::pair{1, 0}, std::pair{-1, 0}, std::pair{0, 1}, std::pair{0, -1}}) {
-      const int to_x = x + dx;
-      const int to_y = y + dy;
-      if (to_x >= 0 && to_y >= 0 && to_x < kAcross && to_y < kUp &&
-          !was.at(static_cast<std::size_t>(to_x)).at(static_cast<std::size_t>(to_y)))
-        next.emplace_back(to_x, to_y);
-    }
-    if (next.empty()) {
-      path.pop_back();
-      continue;
-    }
-    const auto [to_x, to_y] = next[random.below(next.size())];
-    was.at(static_cast<std::size_t>(to_x)).at(static_cast<std::size_t>(to_y)) = true;
-    const auto low_x = static_cast<std::size_t>(std::min(x, to_x));
-    const auto low_y = static_cast<std::size_t>(std::min(y, to_y));
-    (to_x != x ? is_open_east : is_open_north).at(low_x).at(low_y) = true;
-    path.emplace_back(to_x, to_y);
-  }
-  int number = 0;
-  for (std::size_t x = 0; x < kAcross; ++x) {
-    for (std::size_t y = 0; y < kUp; ++y) {
-      const double right = static_cast<double>(x + 1) * kSide;
-      const double top = static_cast<double>(y + 1) * kSide;
-      if (x + 1 < kAcross && !is_open_east.at(x).at(y))
-        out.overlay += wall(number, right, top - kSide, right, top);
-      if (y + 1 < kUp && !is_open_north.at(x).at(y))
-        out.overlay += wall(number, right - kSide, top, right, top);
-    }
-  }
-  return out;
-}
-
-// Twelve bows of rocks that lie across the way, most of them open towards those who come.
-World bows(base::Random& random) {
-  World out{.size = {1000, 400}, .start = {100, 200}, .goal = {900, 200}};
-  for (int bow = 0; bow < 12; ++bow) {
-    const double x = random.uniform(220, 780);
-    const double y = random.uniform(60, 340);
-    const double size = random.uniform(20, 60);
-    const double towards = random.normal() * 0.7;
-    const int rocks = static_cast<int>(size * 2.6 / 8.0);
-    for (int i = -rocks / 2; i <= rocks / 2; ++i) {
-      const double angle = towards + 2.6 / rocks * i;
-      const double rock_x = x + size * std::cos(angle);
-      const double rock_y = y + size * std::sin(angle);
-      if (std::abs(rock_x - 500) < 370) out.overlay += disc(rock_x, rock_y, 5);
-    }
-  }
-  return out;
-}
-
-// Rocks on 3 per cent of the field, and forty discs that go to and fro across it.
-World moving(base::Random& random) {
-  World out{.size = {1000, 400}, .start = {200, 200}, .goal = {800, 200}};
-  double covered = 0.0;
-  while (covered < 0.03 * 1000 * 400) {
-    const geom::Point at{random.uniform(0, 1000), random.uniform(0, 400)};
-    const double radius = random.uniform(2, 12);
-    if (std::min(std::abs(at.x - 200), std::abs(at.x - 800)) < 25) continue;
-    covered += std::numbers::pi * radius * radius;
-    out.overlay += disc(at.x, at.y, radius);
-  }
-  for (int i = 0; i < 40; ++i) {
-    const double x = random.uniform(300, 700);
-    const double y = random.uniform(20, 380);
-    const double radius = random.uniform(1, 4);
-    const double to_x = x + random.uniform(-60, 60);
-    const double to_y = random.uniform(20, 380);
-    out.overlay += fmt::format("OBSTACLE {:.2f} {:.2f} {:.2f} ROUTE {:.2f} {:.2f} SPEED {:.2f}\n", x, y,
-                               radius, to_x, to_y, random.uniform(0.5, 3));
-  }
-  return out;
-}
-
-// Two units that change sides through one gap of 12 m, which is not straight ahead.
-World swap(base::Random& random) {
-  World out{.size = {400, 300}, .start = {100, 150}, .goal = {300, 150}};
-  out.has_others = true;
-  const double gap = random.uniform(60, 240);
-  int number = 0;
-  out.overlay = wall(number, 200, 0, 200, gap - 6) + wall(number, 200, gap + 6, 200, 300);
-  return out;
-}
-
-constexpr std::array<std::string_view, 8> kWorlds = {"field", "unknown", "rooms",  "corridor",
-                                                     "maze",  "bows",    "moving", "swap"};
-
-World world_of(const Options& options, std::uint64_t seed) {
-  base::Random random(seed);
-  if (options.world == "rooms") return rooms(random);
-  if (options.world == "corridor") return corridor(random);
-  if (options.world == "maze") return maze(random);
-  if (options.world == "bows") return bows(random);
-  if (options.world == "moving") return moving(random);
-  if (options.world == "swap") return swap(random);
-  return field(options.coverage);
-}
 
 // ---- the independent planner
 
@@ -502,7 +259,7 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const World& wor
 }
 
 Row row_of(const Options& options, std::uint64_t seed) {
-  World world = world_of(options, seed);
+  World world = world_of(options.world, options.coverage, seed);
   if (options.robots > 4) world.spacing = std::min(world.spacing, 20.0);
   Row out{.seed = seed};
   const auto run = run_of(options, world, seed);
@@ -603,10 +360,10 @@ int study(const Options& options) {
 }
 
 }  // namespace
-}  // namespace mlab
+}  // namespace mlab::bench
 
 int main(int argc, char** argv) {
-  mlab::Options options;
+  mlab::bench::Options options;
   bool is_good = true;
   for (int i = 1; i < argc; i += 2) {
     const std::string_view word = argv[i];
@@ -634,7 +391,8 @@ int main(int argc, char** argv) {
       is_good = false;
     }
   }
-  if (is_good && std::ranges::count(mlab::kWorlds, options.world) == 1) return mlab::study(options);
+  if (is_good && std::ranges::count(mlab::bench::kWorlds, options.world) == 1)
+    return mlab::bench::study(options);
   fmt::print(
       stderr,
       "arrival_study [--world field|unknown|rooms|corridor|maze|bows|moving|swap] [--runs N] [--robots N]\n"
