@@ -92,6 +92,20 @@ TEST(PlanWay, IsNotOpenWhereSomethingNewStands) {
   EXPECT_FALSE(is_open(known.ground(), way)) << "a wall across it";
 }
 
+TEST(LeadsOn, NotWhereAWallIsBetweenABodyAndWhatItHeadsFor) {
+  const Known known{{}, {{{0.0, 50.0}, {100.0, 50.0}}, {{103.0, 50.0}, {200.0, 50.0}}}, next_revision()};
+  const auto way = plan_way(known.ground(), {101.5, 40.0}, {101.5, 60.0}, 0.2, 1.0);
+  ASSERT_EQ(way.end, WayEnd::kGoal);
+  const auto leads = [&](Point from, bool is_body) {
+    return leads_on(known.ground(), true, way, from, 5.0, is_body);
+  };
+  EXPECT_TRUE(leads({101.0, 49.5}, true)) << "in the door";
+  EXPECT_TRUE(leads({104.0, 44.0}, true)) << "beside the way, with nothing between";
+  EXPECT_FALSE(leads({104.5, 49.6}, true)) << "pushed past the door";
+  EXPECT_TRUE(leads({104.5, 49.6}, false)) << "the middle of a unit";
+  EXPECT_FALSE(leads({107.0, 45.0}, false)) << "too far off";
+}
+
 TEST(PlanWay, LeavesWhatItBeginsNearTo) {
   const Known known = with_disc();
   const auto way = plan_way(known.ground(), {61.0, 50.0}, {150.0, 50.0}, 0.2, 5.0);
