@@ -1,7 +1,6 @@
 #include "mlab/history/testing/written_run.h"
 
 #include <bit>
-#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/simulated/run.h"
+#include "mlab/simulated/testing/values.h"
 
 namespace mlab::history::testing {
 namespace {
@@ -137,40 +137,10 @@ void add_robot(const run::MissionRun& run, const fleet::FleetRobot& robot, Sum& 
         << std::uint64_t{contract.contractor.value} << std::uint64_t{contract.reneged.value} << contract.time;
 }
 
-// Without words where that can be: it is asked for in each cycle. Numbers are compared to the last bit.
-void add_value(const std::byte* frame, const flow::Port& port, Sum& out) {
-  switch (port.type->kind) {
-    case flow::TypeKind::kReal:
-    case flow::TypeKind::kVector:
-    case flow::TypeKind::kPoint:
-    case flow::TypeKind::kPose:
-      for (std::uint32_t at = 0; at < port.type->size; at += sizeof(double)) {
-        double number = 0;
-        std::memcpy(&number, frame + port.offset + at, sizeof number);
-        out << number;
-      }
-      return;
-    case flow::TypeKind::kBool:
-    case flow::TypeKind::kInteger:
-    case flow::TypeKind::kChoice:
-    case flow::TypeKind::kMask:
-      out << *flow::Program::number(frame, port);
-      return;
-    case flow::TypeKind::kText:
-    case flow::TypeKind::kList:
-    case flow::TypeKind::kOther:
-      out << flow::Program::print(frame, port);
-  }
-}
-
 void add_program(const fleet::FleetRobot& robot, Sum& out) {
   const robot::Workings workings = robot.workings();
   if (!workings) return;
-  for (const flow::Port& port : workings.program->ports()) add_value(workings.frame, port, out);
-  std::vector<flow::Program::SequenceState> states;
-  workings.program->sequence_states(workings.frame, states);
-  for (const flow::Program::SequenceState& one : states)
-    out << static_cast<std::uint64_t>(one.active) << std::uint64_t{one.cycle};
+  for (const std::uint64_t value : simulated::testing::values_of(robot)) out << value;
   if (workings.interventions == nullptr) return;
   for (const flow::Interventions::Held& held : workings.interventions->held())
     out << std::uint64_t{held.port};
