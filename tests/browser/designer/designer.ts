@@ -168,8 +168,11 @@ export class DesignerPage {
         () => true,
         () => false,
       );
-    do await node.click({ position: { x: 70, y: 10 } });
-    while (!(await isSelected()));
+    for (let i = 0; i < 5; ++i) {
+      await node.click({ position: { x: 70, y: 10 } });
+      if (await isSelected()) return;
+    }
+    throw new Error(`is not selected after five clicks: ${await node.innerText()}`);
   }
 
   /** By the menu of dialogs: under a name in the project. */
