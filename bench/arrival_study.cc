@@ -1,8 +1,10 @@
 // Who arrives: units that cross worlds drawn by seeds and come to their goal or not, beside an independent
-// planner that says who could. A line for each kind of world, and with --table a row for each run.
+// planner that says who could. Prints a line, and with --table writes a row for each run.
 //
 //     arrival_study [--world NAME] [--runs N] [--robots N] [--formation NAME] [--coverage PERCENT]
-//     [--reactive] [--table FILE]
+//                   [--reactive] [--table FILE] [--write FOLDER]
+//
+// --write leaves the mission and the map of each run in a folder, for `mlab run`.
 //
 // The planner knows everything: a search in a grid of 0.25 m, for each robot alone, as a disc of its radius
 // and its margin. A run is possible where each robot's start reaches a free place within 10 m of the goal. It
