@@ -117,10 +117,10 @@ SearchWay plan_search(const Mission& mission, const UnitCommand& command,
 std::string warn_of_search(const Mission& mission, const UnitCommand& command, base::RobotId robot,
                            std::optional<geom::Point> from, const std::string& name) {
   const Terms terms(mission, command, robot);
-  ways::Coverage found =
-      ways::coverage_outlook(command.route, terms.ground, terms.clearance, terms.swath, from);
-  found.seen = 1.0;
-  return warning_of(found, command, name);
+  auto outlook = ways::coverage_outlook(command.route, terms.ground, terms.clearance, terms.swath, from);
+  if (!outlook) return {};
+  outlook->seen = 1.0;  // of what can be seen: what a way would miss is not known yet
+  return warning_of(*outlook, command, name);
 }
 
 }  // namespace mlab::mission

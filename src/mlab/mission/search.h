@@ -29,8 +29,8 @@ struct SearchWay {
 SearchWay plan_search(const Mission& mission, const UnitCommand& command,
                       const std::vector<base::RobotId>& robots, std::optional<geom::Point> from);
 
-/// What of the area no robot will see, and why, as far as that can be told without planning; empty: nothing
-/// worth telling.
+/// What of the area no robot will see, and why, as far as that can be told at once; empty: nothing worth
+/// telling.
 /// @param name  of the area
 std::string warn_of_search(const Mission& mission, const UnitCommand& command, base::RobotId robot,
                            std::optional<geom::Point> from, const std::string& name);

@@ -16,6 +16,8 @@ constexpr double kUnseen = 0.9 * (1.0 - Coverage::kWanted);
 
 // About five seconds: a square of 1,000 m with 10 % of obstacles takes half of it at a swath of 10 m.
 constexpr std::uint64_t kMostEffort = 250'000'000;
+// A tenth of a second.
+constexpr std::uint64_t kMostOutlookEffort = 1'000'000;
 
 bool is_finite(geom::Point p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
@@ -42,7 +44,7 @@ void improve(SearchRoute& route, std::size_t most_unseen) {
 class Outlook {
  public:
   Outlook(std::span<const geom::Point> outline, const Ground& ground, double clearance, double swath,
-          std::optional<geom::Point> from) {
+          std::optional<geom::Point> from, std::uint64_t most_effort) {
     if (!is_usable(outline, ground, clearance, swath)) {
       told.end = CoverageEnd::kUnusable;
       return;
@@ -55,28 +57,30 @@ class Outlook {
       return;
     }
     planner.emplace(ground, clearance);
-    grid->enter(outline, ground, *planner, from);
+    is_known = grid->enter(outline, ground, *planner, from, most_effort);
     told.free_area = static_cast<double>(grid->to_search()) * grid->cell_area();
-    if (grid->to_see() == 0) return;
+    if (!is_known || grid->to_see() == 0) return;
     told.visible = static_cast<double>(grid->visible()) / static_cast<double>(grid->to_search());
     told.end = CoverageEnd::kPartly;
   }
 
-  Coverage told;  ///< `kPartly`: grid and planner are there, and something can be seen
+  Coverage told;         ///< `kPartly`: grid and planner are there, and something can be seen
+  bool is_known = true;  ///< false: given up
   std::optional<SearchGrid> grid;
   std::optional<Planner> planner;
 };
 
 }  // namespace
 
-Coverage coverage_outlook(std::span<const geom::Point> outline, const Ground& ground, double clearance,
-                          double swath, std::optional<geom::Point> from) {
-  return Outlook(outline, ground, clearance, swath, from).told;
+std::optional<Coverage> coverage_outlook(std::span<const geom::Point> outline, const Ground& ground,
+                                         double clearance, double swath, std::optional<geom::Point> from) {
+  const Outlook outlook(outline, ground, clearance, swath, from, kMostOutlookEffort);
+  return outlook.is_known ? std::optional(outlook.told) : std::nullopt;
 }
 
 Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground, double clearance,
                         double swath, std::optional<geom::Point> from) {
-  Outlook outlook(outline, ground, clearance, swath, from);
+  Outlook outlook(outline, ground, clearance, swath, from, Planner::kNoLimit);
   Coverage out = outlook.told;
   if (out.end != CoverageEnd::kPartly) return out;
   SearchGrid& grid = *outlook.grid;

@@ -56,8 +56,10 @@ Coverage coverage_route(std::span<const geom::Point> outline, const Ground& grou
                         double swath, std::optional<geom::Point> from = std::nullopt);
 
 /// What of an area could be seen, without looking for a way by which it is: `kPartly` with its size and the
-/// visible share, where there is something to see.
-Coverage coverage_outlook(std::span<const geom::Point> outline, const Ground& ground, double clearance,
-                          double swath, std::optional<geom::Point> from = std::nullopt);
+/// visible share, where there is something to see. Nothing where it would take longer than some tenths of a
+/// second to know.
+std::optional<Coverage> coverage_outlook(std::span<const geom::Point> outline, const Ground& ground,
+                                         double clearance, double swath,
+                                         std::optional<geom::Point> from = std::nullopt);
 
 }  // namespace mlab::ways

@@ -150,12 +150,19 @@ TEST(Coverage, LooksWhereAWayLeadsFromWhereRobotsAre) {
         std::ranges::all_of(out.waypoints, [&](geom::Point p) { return is_in_room(p) == is_within; }));
     // To either side of a wall a robot sees 4 m far beyond it.
     EXPECT_NEAR(out.visible, is_within ? 0.94 * 0.94 : 1.0 - 0.82 * 0.82, 0.01);
-    const Coverage outlook = coverage_outlook(area, ground, 1.0, 10.0, from);
-    EXPECT_EQ(outlook.visible, out.visible);
-    EXPECT_EQ(outlook.free_area, out.free_area);
-    EXPECT_TRUE(outlook.waypoints.empty());
+    const auto outlook = coverage_outlook(area, ground, 1.0, 10.0, from);
+    ASSERT_TRUE(outlook);
+    EXPECT_EQ(outlook->visible, out.visible);
+    EXPECT_EQ(outlook->free_area, out.free_area);
+    EXPECT_TRUE(outlook->waypoints.empty());
   }
-  EXPECT_EQ(coverage_outlook(rectangle(40.0, 40.0), ground, 1.0, 0.001).end, CoverageEnd::kTooLarge);
+  EXPECT_EQ(coverage_outlook(rectangle(40.0, 40.0), ground, 1.0, 0.001)->end, CoverageEnd::kTooLarge);
+}
+
+TEST(Coverage, OutlookIsGivenUpWhereItWouldTakeLong) {
+  std::mt19937_64 random(kCoverageSeed);
+  const Ground ground = any_discs(random, 1000.0, 0.1);
+  EXPECT_FALSE(coverage_outlook(rectangle(1000.0, 1000.0), ground, 5.2, 10.0));
 }
 
 TEST(Coverage, LeavesOutWhatIsClosedOffAndSaysHowMuch) {

@@ -48,8 +48,8 @@ int SearchGrid::cell_of(double at, int count) {
   return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
 }
 
-void SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner,
-                       std::optional<geom::Point> from) {
+bool SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner,
+                       std::optional<geom::Point> from, std::uint64_t most_effort) {
   enter_inside(outline);
   const Clearing things(ground, 0.0);
   for (int row = 0; row < rows_; ++row) {
@@ -59,11 +59,12 @@ void SearchGrid::enter(std::span<const geom::Point> outline, const Ground& groun
       to_search_ += inside;
     }
   }
-  if (to_search_ == 0) return;
-  enter_parts(planner, from);
+  if (to_search_ == 0) return true;
+  if (!enter_parts(planner, from, most_effort)) return false;
   enter_edges(ground, planner.clearing());
   visible_ = static_cast<std::size_t>(std::ranges::count(is_visible_, 1));
   unseen_ = to_see_ = static_cast<std::size_t>(std::ranges::count(can_be_seen_, 1));
+  return true;
 }
 
 /// By the crossings of each row with the outline: between an odd one and the next is inside.
@@ -94,7 +95,7 @@ void SearchGrid::enter_inside(std::span<const geom::Point> outline) {
   }
 }
 
-void SearchGrid::enter_parts(Planner& planner, std::optional<geom::Point> from) {
+bool SearchGrid::enter_parts(Planner& planner, std::optional<geom::Point> from, std::uint64_t most_effort) {
   const Clearing& clearing = planner.clearing();
   constexpr std::int32_t kFree = -1;
   for (int row = 0; row < rows_; ++row) {
@@ -111,7 +112,7 @@ void SearchGrid::enter_parts(Planner& planner, std::optional<geom::Point> from) 
       places.push_back(middle(column, row));
     }
   }
-  join_parts(sizes, places, planner, from);
+  return join_parts(sizes, places, planner, from, most_effort);
 }
 
 /// All cells that a robot comes to from there through cells, and how many of them are to be seen.
@@ -139,8 +140,8 @@ std::size_t SearchGrid::fill_part(int column, int row, std::int32_t part, const 
 }
 
 /// Parts between which ways lead outside of the grid, or through gaps narrower than a cell, are one.
-void SearchGrid::join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
-                            Planner& planner, std::optional<geom::Point> from) {
+bool SearchGrid::join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
+                            Planner& planner, std::optional<geom::Point> from, std::uint64_t most_effort) {
   std::vector<std::size_t> order;
   for (std::size_t part = 2; part < sizes.size(); ++part) order.push_back(part);
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t part) { return sizes[part]; });
@@ -149,9 +150,15 @@ void SearchGrid::join_parts(const std::vector<std::size_t>& sizes, const std::ve
   if (from) from = planner.clearing().nearest_free(*from);
   for (const std::size_t part : order) {
     if (!from) from = places[part];
-    if (planner.find(*from, places[part])) to[part] = kMain;
+    // From the part, which is small where no way leads: then that is found out soon.
+    const std::uint64_t before = planner.effort();
+    const auto way = planner.find(places[part], *from, most_effort);
+    if (!way && !way.error().is_certain) return false;
+    if (way) to[part] = kMain;
+    most_effort -= std::min(most_effort, planner.effort() - before);
   }
   for (std::int32_t& part : part_) part = to[static_cast<std::size_t>(part)];
+  return true;
 }
 
 bool SearchGrid::is_rim(int column, int row) const {

@@ -26,8 +26,10 @@ class SearchGrid {
   /// Enters what is to be seen, where a robot may be, and what it can see from there.
   /// @param from  where it may be is where the planner knows a way to from there; without, in the part of the
   ///              ground in which it sees most [m, world]
-  void enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner,
-             std::optional<geom::Point> from);
+  /// @param most_effort  of the planner
+  /// @return  false: given up, since that was not enough
+  bool enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner,
+             std::optional<geom::Point> from, std::uint64_t most_effort);
 
   const Lanes& lanes() const { return lanes_; }
   double swath() const { return swath_; }
@@ -70,10 +72,10 @@ class SearchGrid {
     return {(column - margin_columns_ + 0.5) * step_along_, (row - margin_rows_ + 0.5) * step_across_};
   }
   void enter_inside(std::span<const geom::Point> outline);
-  void enter_parts(Planner& planner, std::optional<geom::Point> from);
+  bool enter_parts(Planner& planner, std::optional<geom::Point> from, std::uint64_t most_effort);
   std::size_t fill_part(int column, int row, std::int32_t part, const Clearing& clearing);
-  void join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
-                  Planner& planner, std::optional<geom::Point> from);
+  bool join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
+                  Planner& planner, std::optional<geom::Point> from, std::uint64_t most_effort);
   void enter_edges(const Ground& ground, const Clearing& clearing);
   void enter_edge(geom::Point at, const Clearing& clearing);
   void look_from(LanePlace at);

@@ -30,7 +30,7 @@ using mission::UnitCommand;
 
 // Robots looked at over the whole mission: some tenths of a second.
 constexpr std::uint64_t kMaxRobotVisits = 5'000'000;
-// Areas laid out in cells over the whole mission: some tenths of a second.
+// Areas looked at over the whole mission, some tenths of a second each.
 constexpr int kMaxSearches = 10;
 
 // How many robots are in the state that a command meets; the first of them.
