@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "../testing/library_probe.h"
+#include "mlab/schema/route.h"
 #include "mlab/schema/way.h"
 
 namespace mlab::library_test {
@@ -47,6 +48,38 @@ TEST_F(Way, GoesRoundWhatIsKnown) {
   EXPECT_GT(way.count, 3);
   EXPECT_EQ(way.points().front(), (Point{20.0, 50.0}));
   EXPECT_EQ(way.points().back(), (Point{80.0, 50.0}));
+}
+
+// Through more corners than a way has room for.
+TEST_F(Way, OfAUnitGoesOnWhereItWasAndNotWhereItsMiddleIs) {
+  rocks.clear();
+  for (int i = 1; i < 40; ++i) {
+    const double low = i % 2 == 0 ? 20.0 : 0.0;
+    walls.push_back({{5.0 * i, low}, {5.0 * i, low + 180.0}});
+  }
+  for (const bool is_body : {true, false}) {
+    flow::BehaviorProbe p = probe("PlanWay");
+    p.percepts.ground = ground();
+    p.set("from", Point{2.0, 100.0}).set("goal", Point{198.0, 100.0}).set("margin", 1.0).set("stray", 50.0);
+    p.set("of_a_body", is_body);
+    p.step();
+    const auto first = p.output<PlannedWay>();
+    ASSERT_EQ(first.end, WayEnd::kFull);
+    const double length = schema::route_length(first.points());
+    const Point behind_a_wall = schema::route_point(first.points(), 0.8 * length) + geom::Offset{4.0, 0.0};
+    p.set("from", behind_a_wall);
+    p.step();
+    const auto next = p.output<PlannedWay>();
+    ASSERT_NE(next.version, first.version);
+    const Point begin = next.points().front();
+    if (is_body) {
+      EXPECT_EQ(begin, behind_a_wall);
+    } else {
+      const double at = schema::nearest_way(first.points(), begin, 0.0, length);
+      EXPECT_LT(distance(schema::route_point(first.points(), at), begin), 0.01);
+      EXPECT_GT(distance(begin, behind_a_wall), 0.5);
+    }
+  }
 }
 
 TEST_F(Way, StaysUntilThereIsAReason) {
