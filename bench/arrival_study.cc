@@ -32,13 +32,12 @@
 #include <fmt/core.h>
 
 #include "arrival_worlds.h"
+#include "mission_of.h"
 #include "mlab/cell/testing/permission.h"
-#include "mlab/lang/mdl/mdl.h"
 #include "mlab/mission/known_map.h"
 #include "mlab/robot/program/robot_program.h"
 #include "mlab/simulated/run.h"
 #include "mlab/text/diagnostic.h"
-#include "mlab/text/source.h"
 
 namespace mlab::bench {
 namespace {
@@ -73,19 +72,12 @@ class Grid {
     });
   }
   void block_wall(geom::Segment wall, double radius) {
-    const double length_squared = std::pow(wall.b.x - wall.a.x, 2) + std::pow(wall.b.y - wall.a.y, 2);
-    each_cell(
-        std::min(wall.a.x, wall.b.x) - radius, std::min(wall.a.y, wall.b.y) - radius,
-        std::max(wall.a.x, wall.b.x) + radius, std::max(wall.a.y, wall.b.y) + radius, [&](int x, int y) {
-          const double along = length_squared == 0.0 ? 0.0
-                                                     : ((x * kCell - wall.a.x) * (wall.b.x - wall.a.x) +
-                                                        (y * kCell - wall.a.y) * (wall.b.y - wall.a.y)) /
-                                                           length_squared;
-          const double t = std::clamp(along, 0.0, 1.0);
-          if (std::hypot(x * kCell - wall.a.x - t * (wall.b.x - wall.a.x),
-                         y * kCell - wall.a.y - t * (wall.b.y - wall.a.y)) < radius)
-            is_blocked_[index(x, y)] = true;
-        });
+    const auto [low_x, high_x] = std::minmax(wall.a.x, wall.b.x);
+    const auto [low_y, high_y] = std::minmax(wall.a.y, wall.b.y);
+    each_cell(low_x - radius, low_y - radius, high_x + radius, high_y + radius, [&](int x, int y) {
+      const geom::Point here{x * kCell, y * kCell};
+      if (geom::distance(nearest_point(wall, here), here) < radius) is_blocked_[index(x, y)] = true;
+    });
   }
   /// For each start the length of a way to within kNear of the goal, infinite where there is none: Dijkstra's
   /// search from all free places there, and what it finds drawn taut.
@@ -232,19 +224,15 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const World& wor
         << fmt::format("OVERLAY map_{}.odl\n", seed) << mission.substr(mission.find('\n') + 1);
     std::ofstream(fmt::format("{}/map_{}.odl", options.folder, seed)) << map;
   }
-  mdl::LoadOptions load;
-  load.seed = seed;
-  load.files.is_file = [](const std::string& path) { return path.ends_with("map.odl"); };
-  load.files.read = [&](const std::string& path) { return std::make_shared<text::Source>(path, map); };
+  const auto checked = mission_of(mission, map, seed);
+  if (!checked) return nullptr;
   text::Diagnostics sink;
-  const auto checked =
-      mdl::check_mission(std::make_shared<text::Source>("study.mdl", mission), "", sink, load);
   run::RunSettings settings;
   settings.executive.proceed_all = true;
   robot::ProgramSources sources;
   sources.permission = cell::testing::code_permitted();
   std::shared_ptr<const mission::Mission> ready = checked;
-  if (checked && options.world == "unknown") {
+  if (options.world == "unknown") {
     // What lies there is found out on the way.
     const auto blind = std::make_shared<mission::Mission>(*checked);
     overlay::EnvironmentEvent event;
@@ -255,7 +243,7 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const World& wor
     settings.environment.events.push_back(event);
     ready = blind;
   }
-  auto out = ready ? simulated::make_run(ready, sources, settings, sink) : nullptr;
+  auto out = simulated::make_run(ready, sources, settings, sink);
   if (!out) fmt::print(stderr, "{}\n", text::render(sink));
   return out;
 }

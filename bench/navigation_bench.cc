@@ -15,12 +15,11 @@
 
 #include <fmt/core.h>
 
+#include "mission_of.h"
 #include "mlab/cell/testing/permission.h"
-#include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/program/robot_program.h"
 #include "mlab/simulated/run.h"
 #include "mlab/text/diagnostic.h"
-#include "mlab/text/source.h"
 
 namespace mlab {
 namespace {
@@ -65,15 +64,12 @@ std::string mission_of(int units, bool is_reactive) {
 }
 
 std::unique_ptr<run::MissionRun> run_of(const std::string& mission, const std::string& map) {
-  mdl::LoadOptions options;
-  options.files.is_file = [](const std::string& path) { return path.ends_with("map.odl"); };
-  options.files.read = [&](const std::string& path) { return std::make_shared<text::Source>(path, map); };
+  const auto checked = bench::mission_of(mission, map, 0);
   text::Diagnostics sink;
-  const auto checked =
-      mdl::check_mission(std::make_shared<text::Source>("bench.mdl", mission), "", sink, options);
   robot::ProgramSources sources;
   sources.permission = cell::testing::code_permitted();
-  auto out = checked ? simulated::make_run(checked, sources, {}, sink) : nullptr;
+  if (!checked) return nullptr;
+  auto out = simulated::make_run(checked, sources, {}, sink);
   if (!out) fmt::print(stderr, "{}\n", text::render(sink));
   return out;
 }
