@@ -41,8 +41,7 @@ void improve(SearchRoute& route, std::size_t most_unseen) {
 }
 
 // The area in cells, and which of them can be seen.
-class Outlook {
- public:
+struct Outlook {
   Outlook(std::span<const geom::Point> outline, const Ground& ground, double clearance, double swath,
           std::optional<geom::Point> from, std::uint64_t most_effort) {
     if (!is_usable(outline, ground, clearance, swath)) {

@@ -213,25 +213,25 @@ class PlanCheck {
   void check_shared_ways(const UnitCommand& c) {
     const base::RobotId first = robots_of(c).front();
     if (state(first).has_place) {
-      for (const UnitCommand& one : one_by_one(c))
+      one_by_one(c, [&](const UnitCommand& one) {
         ways_.check(one, state(first).place, body_radius(first), success_radius(c));
+      });
     }
     for (const base::RobotId id : robots_of(c)) state(id).has_place = false;
   }
 
-  // VISIT and PATROL: as if there were a command for each of their places.
-  static std::vector<UnitCommand> one_by_one(const UnitCommand& c) {
-    std::vector<UnitCommand> out;
+  // Of VISIT and PATROL: as if there were a command for each of their places.
+  template <class Visit>
+  static void one_by_one(const UnitCommand& c, const Visit& visit) {
+    UnitCommand one;
+    one.unit = c.unit;
+    one.robots = c.robots;
     for (std::size_t i = 0; i < std::min(c.route.size(), c.written.size()); ++i) {
-      UnitCommand one;
-      one.unit = c.unit;
-      one.robots = c.robots;
       one.goal = c.route[i];
       one.place_name = c.written[i].name;
       one.goal_place = c.written[i].place;
-      out.push_back(std::move(one));
+      visit(std::as_const(one));
     }
-    return out;
   }
 
   bool has_goal(const UnitCommand& c) const {
@@ -245,7 +245,7 @@ class PlanCheck {
     } else if (!mission::info(c.task).is_shared) {
       goals_.check(c, radius);
     } else {
-      for (const UnitCommand& one : one_by_one(c)) goals_.check(one, radius);
+      one_by_one(c, [&](const UnitCommand& one) { goals_.check(one, radius); });
     }
   }
 
