@@ -43,12 +43,6 @@ const fs::path kCorpus = fs::path(base::source_folder()) / ".." / "shared" / "co
 // Where robots' programs are computed.
 enum class Home { kRun, kOwnProcesses, kAgents, kFleet, kLossyFleet };
 
-// Of whose packets every fifth does not arrive.
-testing::FleetOfThreads& lossy_fleet() {
-  static testing::FleetOfThreads kFleet(200);
-  return kFleet;
-}
-
 // With the standard clock, all questions answered with yes.
 std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t seed, int threads,
                                          Home home = Home::kRun) {
@@ -77,7 +71,7 @@ std::unique_ptr<run::MissionRun> prepare(const fs::path& file, std::uint64_t see
     };
   if (home == Home::kLossyFleet)
     settings.robots_elsewhere = [](std::uint64_t seed_of_run, double /*cycle_duration*/) {
-      return lossy_fleet().make_runner(seed_of_run);
+      return testing::FleetOfThreads::shared_and_lossy().make_runner(seed_of_run);
     };
   auto run = simulated::make_run(mission, sources, settings, sink);
   EXPECT_TRUE(run) << text::render(sink);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <future>
+#include <map>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -43,11 +44,11 @@ class FleetOfThreads {
     EXPECT_TRUE(roster_->wait(are_both_there, agents::Clock::now() + std::chrono::seconds(30)));
   }
 
-  /// One for all tests of a program.
-  static FleetOfThreads& shared() {
-    static FleetOfThreads kFleet;
-    return kFleet;
-  }
+  /// One for all tests of a program. Its threads end with the last test: what is static is destroyed after
+  /// that.
+  static FleetOfThreads& shared() { return kUntilTheLastTest->fleet(0); }
+  /// The same, of whose packets every fifth does not arrive.
+  static FleetOfThreads& shared_and_lossy() { return kUntilTheLastTest->fleet(200); }
 
   /// @param period  of a cycle in real time [s]; 0: in lock-step
   std::unique_ptr<robot::ProgramRunner> make_runner(std::uint64_t seed, double period = 0.0) const {
@@ -56,6 +57,20 @@ class FleetOfThreads {
   agents::Roster& roster() { return *roster_; }
 
  private:
+  class UntilTheLastTest : public ::testing::Environment {
+   public:
+    FleetOfThreads& fleet(int lost_of_thousand) {
+      auto& one = fleets_[lost_of_thousand];
+      if (!one) one = std::make_unique<FleetOfThreads>(lost_of_thousand);
+      return *one;
+    }
+    void TearDown() override { fleets_.clear(); }
+
+   private:
+    std::map<int, std::unique_ptr<FleetOfThreads>> fleets_;
+  };
+  static UntilTheLastTest* const kUntilTheLastTest;
+
   std::future<void> begin(const std::string& name) {
     auto ready = std::make_shared<std::promise<void>>();
     std::future<void> out = ready->get_future();
@@ -77,5 +92,12 @@ class FleetOfThreads {
   std::shared_ptr<agents::Roster> roster_;
   std::vector<std::jthread> agents_;
 };
+
+inline FleetOfThreads::UntilTheLastTest* const FleetOfThreads::kUntilTheLastTest = [] {
+  auto owned = std::make_unique<UntilTheLastTest>();
+  UntilTheLastTest* const out = owned.get();
+  ::testing::AddGlobalTestEnvironment(owned.release());
+  return out;
+}();
 
 }  // namespace mlab::testing

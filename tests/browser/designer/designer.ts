@@ -169,7 +169,9 @@ export class DesignerPage {
         () => false,
       );
     for (let i = 0; i < 5; ++i) {
-      await node.click({ position: { x: 70, y: 10 } });
+      // On its name, wherever that lies at this zoom: beside it lies the way in.
+      const width = (await node.boundingBox())?.width ?? 0;
+      await node.click({ position: { x: 0.4 * width, y: 8 } });
       if (await isSelected()) return;
     }
     throw new Error(`is not selected after five clicks: ${await node.innerText()}`);
