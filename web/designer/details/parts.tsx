@@ -1,6 +1,7 @@
 // Fields that send what is typed in them when they are left, and headings: the same in all details.
-import { type ReactNode, useEffect, useId, useRef, useState } from "react";
+import { type ReactNode, useEffect, useId, useRef } from "react";
 import { Field } from "../../ui/controls/controls.tsx";
+import { useTyped } from "../../ui/controls/typed.ts";
 import { useIsReadOnly } from "../session/use.ts";
 
 interface SentFieldProps {
@@ -17,18 +18,18 @@ interface SentFieldProps {
 /** One line; sent by Enter or by leaving it, where it is another one than before. Escape takes back what was typed. */
 export function SentField({ value, send, isDisabled, ...rest }: SentFieldProps) {
   const isReadOnly = useIsReadOnly();
-  const [typed, setTyped] = useState(value);
-  useEffect(() => setTyped(value), [value]);
+  const { typed, type, show } = useTyped(value);
   const sent = async (next: string) => {
-    if ((await send(next)) === false) setTyped(value);
+    show(next);
+    if ((await send(next)) === false) show(value);
   };
   return (
     <Field
       {...rest}
       value={typed}
       committed={value}
-      onChange={setTyped}
-      onCommit={(next) => next.trim() !== value && void sent(next.trim())}
+      onChange={type}
+      onCommit={(next) => (next.trim() === value ? show(value) : void sent(next.trim()))}
       isDisabled={isReadOnly || (isDisabled ?? false)}
     />
   );
@@ -52,8 +53,11 @@ export function SentText({
 }) {
   const isReadOnly = useIsReadOnly();
   const id = useId();
-  const [typed, setTyped] = useState(value);
-  useEffect(() => setTyped(value), [value]);
+  const { typed, type, show } = useTyped(value);
+  const sent = (next: string) => {
+    show(next);
+    if (next !== value) send(next);
+  };
   return (
     <div className="field">
       <label htmlFor={id}>{label}</label>
@@ -64,12 +68,12 @@ export function SentText({
         value={typed}
         placeholder={placeholder}
         disabled={isReadOnly}
-        onChange={(event) => setTyped(event.target.value)}
-        onBlur={() => typed.trim() !== value && send(typed.trim())}
+        onChange={(event) => type(event.target.value)}
+        onBlur={() => sent(typed.trim())}
         onKeyDown={(event) => {
           if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) event.currentTarget.blur();
           if (event.key !== "Escape") return;
-          setTyped(value);
+          show(value);
           event.stopPropagation();
         }}
       />

@@ -1,9 +1,10 @@
 // The editor of one input's value, beside its row: a field, a slider where there is a range, the words that it may be.
-import { useEffect, useMemo, useState } from "react";
+import { useMemo, useState } from "react";
 import { Dialog, Popover } from "react-aria-components";
 import { kSliderEnd, kSliderStep, placeOnSlider, sliderScale, valueOnSlider } from "../../core/slider_scale.ts";
 import { Button, Field, IconButton, RangeSlider } from "../../ui/controls/controls.tsx";
 import type { IconName } from "../../ui/controls/icons.tsx";
+import { useTyped } from "../../ui/controls/typed.ts";
 import { portOf, rowLabel } from "../drawing/form.ts";
 import { numberIn, sliderValue } from "../drawing/quantity.ts";
 import { fieldLabel, limitWords } from "../drawing/value_words.ts";
@@ -89,9 +90,8 @@ export function ValueField({ page, node, port, what, onDone, isCompact = false, 
   const isReadOnly = useIsReadOnly();
   const given = what === "weight" ? port.weight : port.value;
   const shown = given || (what === "value" ? port.initial : "");
-  const [typed, setTyped] = useState(shown);
+  const { typed, type, show } = useTyped(shown);
   const [problem, setProblem] = useState<string | undefined>();
-  useEffect(() => setTyped(shown), [shown]);
   const label = what === "weight" ? `Weight of ${rowLabel(port)}` : nameOf(port);
   const send = async (value: string) => {
     if (value === given || value === shown || isReadOnly) return onDone(); // a default that is only left is not written
@@ -119,10 +119,13 @@ export function ValueField({ page, node, port, what, onDone, isCompact = false, 
         value={typed}
         committed={shown}
         onChange={(next) => {
-          setTyped(next);
+          type(next);
           setProblem(undefined);
         }}
-        onCommit={(next) => void send(next.trim())}
+        onCommit={(next) => {
+          show(next);
+          void send(next.trim());
+        }}
         problem={problem}
         autoFocus={!isCompact}
         isDisabled={isReadOnly}
@@ -135,7 +138,7 @@ export function ValueField({ page, node, port, what, onDone, isCompact = false, 
           number={number}
           typed={typed}
           isDisabled={isReadOnly}
-          onChange={setTyped}
+          onChange={show}
           onCommit={(next) => void send(next)}
         />
       )}

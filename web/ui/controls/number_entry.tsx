@@ -1,7 +1,7 @@
 // A number that is typed, and takes effect with Enter or on leaving the field.
-import { useEffect, useState } from "react";
 import { readNumber } from "../words/read_number.ts";
 import { Field } from "./controls.tsx";
+import { useTyped } from "./typed.ts";
 
 interface Props {
   label: string;
@@ -16,18 +16,18 @@ interface Props {
 
 export function NumberEntry({ label, value, onCommit, min, max, whenZero, isDisabled = false }: Props) {
   const shown = value === 0 && whenZero !== undefined ? "" : String(Math.round(value * 1000) / 1000);
-  const [text, setText] = useState(shown);
-  useEffect(() => setText(shown), [shown]);
+  const { typed: text, type, show } = useTyped(shown);
   const { number, problem } = readNumber(text, min, max, whenZero !== undefined);
   const commit = () => {
     if (problem !== undefined) return;
+    show(text);
     if (text !== shown) onCommit(number);
   };
   return (
     <Field
       label={label}
       value={text}
-      onChange={setText}
+      onChange={type}
       onCommit={commit}
       problem={problem}
       placeholder={whenZero ?? ""}
