@@ -51,7 +51,7 @@ endif()
 # What most tests spend their time in. With sanitizers it is optimised even where nothing else is: it takes twice as long to
 # compile, and their longest tests a fifth of the time to run. They look at what is left of reads and writes once it is
 # optimised, so at none whose result nobody uses.
-set(MLAB_BUSY_MODULES base geom ways schema text mcap overlay flow mission odl envchange mdl cnl cdl cdl_historic sim assist)
+set(MLAB_BUSY_MODULES base geom fleet binding simulated run robot library ways schema text mcap overlay flow mission odl envchange mdl cnl cdl cdl_historic sim assist)
 
 # Everything that `./mlab test` builds for the sanitizers: all unit tests; the tests of code with threads; the fuzzers.
 add_custom_target(unit_tests)
@@ -59,6 +59,19 @@ add_custom_target(threaded_tests)
 add_custom_target(fuzzers)
 # Whose tests run robots with procedures of their own, in the program that hosts those.
 set(MLAB_HOSTING_MODULES robot robot_build simulated assist lsp console designer)
+
+function(mlab_optimise_if_busy name)
+  if(MLAB_SANITIZE AND name IN_LIST MLAB_BUSY_MODULES)
+    target_compile_options(mlab_${name} PRIVATE $<$<CONFIG:Debug>:-O1>)
+  endif()
+endfunction()
+
+# The same for files of a test that it spends its time in.
+function(mlab_optimise_busy_files)
+  if(MLAB_SANITIZE)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Debug>:-O1> SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
 
 # mlab_module(NAME [SOURCES file...] [TESTS file...] [THREADED_TESTS file...] [LINK target...] [TEST_LINK target...])
 #
@@ -73,9 +86,7 @@ function(mlab_module name)
     add_library(mlab_${name} STATIC ${arg_SOURCES})
     set(scope PUBLIC)
     target_link_libraries(mlab_${name} PRIVATE $<BUILD_INTERFACE:mlab_counted>)
-    if(MLAB_SANITIZE AND name IN_LIST MLAB_BUSY_MODULES)
-      target_compile_options(mlab_${name} PRIVATE $<$<CONFIG:Debug>:-O1>)
-    endif()
+    mlab_optimise_if_busy(${name})
   else()
     add_library(mlab_${name} INTERFACE)
     set(scope INTERFACE)

@@ -106,7 +106,8 @@ compile_thread() {
     -DMLAB_UNITY=ON -DMLAB_TESTS=ON -DMLAB_SANITIZE=thread
   ninja -C "$build/tsan" -j "$jobs" threaded_tests
 }
-stage_thread() { RC_PARAMS=$fewer_examples run_ctest "$build/tsan" -L threads; }
+# Half of the time they wait for each other.
+stage_thread() { RC_PARAMS=$fewer_examples run_ctest "$build/tsan" -L threads -j $((jobs + (jobs + 1) / 2)); }
 
 compile_tidy() {
   configure_test
