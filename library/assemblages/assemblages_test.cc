@@ -77,6 +77,23 @@ TEST(Wander, CoversGroundAndTouchesNothing) {
   EXPECT_EQ(trial.simulator().contacts(trial.body()), 0U);
 }
 
+TEST(FollowSignalAdvice, ComesBackIntoReachByEachMethod) {
+  for (int method = 0; method <= 4; ++method) {
+    SCOPED_TRACE(method);
+    // 50 % of its radio's 30 m are heard within 5.5 m.
+    Trial trial(fmt::format("FollowSignalAdvice(method = {})", method), with({{{8, 1}, 0.5}}), {{15, 0}, 0},
+                "Scout", {.range = 30.0});
+    trial.add({0, 0}, 0, 0);
+    const bool is_back = trial.run(60, [&] { return trial.distance_to({0, 0}) < 6; });
+    EXPECT_EQ(is_back, method != 2) << "the plan is to meet where it began, and there it is";
+    trial.run(5);
+    if (is_back) {
+      EXPECT_GT(trial.distance_to({0, 0}), 3) << "near enough is near enough";
+    }
+    EXPECT_EQ(trial.simulator().contacts(trial.body()), 0U);
+  }
+}
+
 TEST(TravelToLocation, ArrivesAroundAnObstacle) {
   Trial trial("TravelToLocation(goal = [20 m, 0 m])", with({{{10, 0.2}, 1.0}}), {{0, 0}, 0});
   EXPECT_TRUE(trial.run(60, [&] { return trial.distance_to({20, 0}) < 1.2; }));

@@ -19,7 +19,7 @@ class Trial {
  public:
   /// @param movement  an expression of CDL; a mistake in it fails the test
   Trial(const std::string& movement, sim::World world, geom::Pose start,
-        const std::string& robot_class = "Scout")
+        const std::string& robot_class = "Scout", const sim::RadioSpec& radio = {})
       : simulator_(std::move(world)) {
     const std::string text = "robot Tried is " + robot_class + " { movement = " + movement + "; }\n";
     const auto source = std::make_shared<const text::Source>("tried.cdl", text);
@@ -33,6 +33,7 @@ class Trial {
     setup.pose = start;
     setup.robot = {1};
     setup.spec.radius = 0.2;
+    setup.spec.radio = radio;
     body_ = simulator_.add_body(setup)->body;
     actions_.resize(1);
   }

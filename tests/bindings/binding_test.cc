@@ -1,6 +1,9 @@
 // What every binding has to keep to, whatever is behind it.
 
 #include <functional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "mlab/sim/simulated_binding.h"
@@ -26,6 +29,7 @@ binding::BodySetup setup_of(std::uint32_t robot) {
   out.robot = {robot};
   out.pose = {{0.0, 3.0 * robot}, 0.0};
   out.spec.ring = {.count = 8, .range = 5.0};
+  out.spec.radio = {.range = 3.5, .loss = 0.5};
   return out;
 }
 
@@ -42,19 +46,34 @@ geom::Pose pose_of(const binding::Binding& bodies, binding::BodyIndex body) {
   return out;
 }
 
-// Two robots; the first drives ahead for ten cycles, the other stands.
-void drive(binding::Binding& bodies) {
-  for (const std::uint32_t robot : {1U, 2U}) ASSERT_TRUE(bodies.embody(setup_of(robot)));
+// Whether the first two hear each other, and what of the one comes to the other: `o`, `-`, or `x` where they
+// don't.
+std::string heard(binding::Binding& bodies) {
+  const binding::RadioLinks* const links = bodies.radio();
+  if (links == nullptr) return "all";
+  std::string out = links->net_of({0}) == links->net_of({1}) ? "" : "x";
+  for (const auto& [from, to] : {std::pair{0U, 1U}, {1U, 0U}})
+    out += links->arrives({from}, {to}) ? 'o' : '-';
+  return out;
+}
+
+// Two robots; the first drives ahead for twenty cycles, out of the other's reach, which stands.
+// @return  what each heard of the other, cycle by cycle
+std::vector<std::string> drive(binding::Binding& bodies) {
+  std::vector<std::string> out;
+  for (const std::uint32_t robot : {1U, 2U}) EXPECT_TRUE(bodies.embody(setup_of(robot)));
   std::vector<percept::Action> actions(2);
   actions[0].drives = true;
   actions[0].velocity.x = 1.0;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 20; ++i) {
     std::vector<binding::Ailment> ailments;
     bodies.health(ailments);
     EXPECT_TRUE(ailments.empty());
     for (const std::uint32_t body : {0U, 1U}) percepts_of(bodies, {body});
+    out.push_back(heard(bodies));
     bodies.carry_out(actions, kCycle);
   }
+  return out;
 }
 
 struct Kind {
@@ -101,10 +120,10 @@ TEST_P(EveryBinding, GivesBodiesNumbersInOrderAndSaysWhatTheyAre) {
 
 TEST_P(EveryBinding, CarriesOutWhatItIsToldAndLetsTimePass) {
   drive(bodies());
-  EXPECT_NEAR(bodies().time(), 1.0, 1e-9);
-  EXPECT_NEAR(pose_of(bodies(), {0}).position.x, 1.0, 1e-9);
+  EXPECT_NEAR(bodies().time(), 2.0, 1e-9);
+  EXPECT_NEAR(pose_of(bodies(), {0}).position.x, 2.0, 1e-9);
   EXPECT_EQ(pose_of(bodies(), {1}), setup_of(2).pose) << "nothing was asked of it";
-  EXPECT_NEAR(bodies().view().body({0}).distance_driven, 1.0, 1e-9);
+  EXPECT_NEAR(bodies().view().body({0}).distance_driven, 2.0, 1e-9);
   EXPECT_EQ(bodies().view().body({1}).velocity, geom::Offset{});
 }
 
@@ -125,6 +144,12 @@ TEST_P(EveryBinding, SensesTheSameTwice) {
 TEST_P(EveryBinding, ShowsItsWorld) {
   ASSERT_EQ(bodies().view().discs().size(), 1U);
   EXPECT_EQ(bodies().view().discs()[0].center, (geom::Point{5.0, 0.0}));
+}
+
+TEST_P(EveryBinding, TellsWhoHearsWhomAndWhatIsLost) {
+  const std::vector<std::string> told = drive(bodies());
+  EXPECT_EQ(told, drive(*simulated_bodies()));
+  EXPECT_EQ(std::set(told.begin(), told.end()), (std::set<std::string>{"oo", "o-", "-o", "--", "x--"}));
 }
 
 TEST_P(EveryBinding, ForeseesPlacesAndChangesNothing) {

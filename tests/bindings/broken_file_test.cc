@@ -105,6 +105,16 @@ TEST_F(BrokenFile, WithAnEntryThatStandsForNothingSaysWhere) {
        "of robot 12: the columns of the obstacles are not equally long"},
       {[](Entry& entry) { entry.mutable_cycle(); }, "a cycle lasts 0 s"},
       {[](Entry& entry) {
+         entry.mutable_cycle()->set_duration(0.1);
+         entry.mutable_cycle()->mutable_radio()->add_robot(1);
+       },
+       "1 robots with radios are in 0 nets"},
+      {[](Entry& entry) {
+         entry.mutable_cycle()->set_duration(0.1);
+         entry.mutable_cycle()->mutable_radio()->add_lost_to(1);
+       },
+       "what 0 robots told was lost to 1"},
+      {[](Entry& entry) {
          entry.mutable_embodied()->mutable_pose()->set_x(std::numeric_limits<double>::quiet_NaN());
        },
        "embodied.pose.x is nan, where numbers from -1000000000 to 1000000000 can be"},

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "command.h"
+#include "mlab/base/testing/source_folder.h"
 
 namespace mlab {
 namespace {
@@ -31,6 +32,14 @@ TEST_F(PerceptsCommand, OfARunWithAnotherSeedAreActedOnInTheSameWay) {
   const Outcome again = mlab("run mission.mdl --headless --percepts run.percepts --threads 2");
   EXPECT_EQ(again.status, 0) << again.out << again.err;
   EXPECT_TRUE(has(again.out, "as recorded: ")) << again.out;
+  EXPECT_FALSE(has(again.out, "not as recorded")) << again.out;
+}
+
+TEST_F(PerceptsCommand, KnowWhoHeardWhom) {
+  const std::string mission = base::source_folder() + "/missions/out_of_reach/out_of_reach.mdl";
+  ASSERT_EQ(mlab("run " + mission + " --headless --save-percepts run.percepts").status, 0);
+  const Outcome again = mlab("run " + mission + " --headless --percepts run.percepts");
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
   EXPECT_FALSE(has(again.out, "not as recorded")) << again.out;
 }
 

@@ -11,6 +11,7 @@
 
 #include "mlab/base/id.h"
 #include "mlab/binding/body.h"
+#include "mlab/binding/radio.h"
 #include "mlab/binding/workers.h"
 #include "mlab/binding/world_view.h"
 #include "mlab/geom/pose.h"
@@ -83,6 +84,8 @@ class Binding {
   virtual void carry_out(std::span<const percept::Action> actions, double dt) = 0;
   /// Where bodies are, as well as it is known. Leaves out whose body is kNoBody.
   virtual void poses(std::span<const BodyIndex> bodies, std::span<geom::Pose> out) const = 0;
+  /// Who hears whom as bodies stand now, until they move. Null: all that is told arrives.
+  virtual const RadioLinks* radio() = 0;
   /// Since the start of the run [s].
   virtual double time() const = 0;
   /// The threads that a cycle may be shared out to; the caller may run loops of its own on them between two

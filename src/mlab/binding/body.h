@@ -59,12 +59,23 @@ struct CameraSpec {
   friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
 };
 
+/// What robots tell each other by. Signals are as strong as `signal_strength` says.
+struct RadioSpec {
+  double range = 0.0;  ///< from where on nothing is heard [m]; 0: it is heard everywhere, in full
+  double loss = 0.0;   ///< chance that something that is told does not arrive, for each who hears it, 0 .. 1
+
+  /// Whether all that is told arrives.
+  bool is_perfect() const { return range == 0.0 && loss == 0.0; }
+  friend bool operator==(const RadioSpec&, const RadioSpec&) = default;
+};
+
 /// What bodies of one kind have in common.
 struct BodySpec {
   double radius = 0.2;  ///< of the disc [m], >= 0
   Kinematics kinematics;
   RangeRing ring;
   CameraSpec camera;
+  RadioSpec radio;
   /// Obstacles are what the ring's beams hit, as points; else discs are told as they are, walls by rays.
   bool has_ring_obstacles = false;
   /// Its pose is counted from what its wheels turned: standard deviation of a step's length and turn, as a

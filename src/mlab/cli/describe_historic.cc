@@ -43,8 +43,7 @@ void add(std::vector<HistoricMeaning>& out, const LibraryName& row) {
     same->architectures += ", " + architectures_of(row.architectures);
     return;
   }
-  out.push_back(
-      {std::string(plain(row.historic)), architectures_of(row.architectures), ours, std::string(row.reason)});
+  out.push_back({std::string(plain(row.historic)), architectures_of(row.architectures), ours});
 }
 
 }  // namespace
@@ -61,8 +60,7 @@ std::vector<HistoricMeaning> historic_names_of(std::string_view ours) {
   std::vector<HistoricMeaning> out;
   for (const LibraryName& row : cdl_historic::library_names()) {
     std::string_view rest = row.ours;
-    if (!row.ours.empty() && cdl_historic::next_name(rest) == ours && plain(row.historic) != ours)
-      add(out, row);
+    if (cdl_historic::next_name(rest) == ours && plain(row.historic) != ours) add(out, row);
   }
   return out;
 }

@@ -10,8 +10,7 @@ namespace mlab::cli {
 struct HistoricMeaning {
   std::string name;           ///< as it was written
   std::string architectures;  ///< `AuRA, AuRA.urban`
-  std::string ours;           ///< the component; empty: there is none
-  std::string reason;         ///< why there is none: `which belonged to ...`
+  std::string ours;           ///< the component
 };
 
 /// By the historic name, letter case aside. Empty where nobody knows the name.

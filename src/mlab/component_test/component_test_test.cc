@@ -179,6 +179,21 @@ test "x" of BackOff(duration = 0.3 s) {
                   .has_passed());
 }
 
+TEST(ComponentTest, TellsWhomTheRobotHears) {
+  EXPECT_TRUE(outcome_of(R"(
+test "x" of SeekSignal(method = 1) {
+  expect length(it) == 0;
+  given self(at = [10 m, 0 m]);
+  given radio(at = [10 m, 30 m], strength = 10);
+  given radio(at = [40 m, 0 m], strength = 25);
+  expect abs(direction(it)) < 1 deg and abs(length(it) - 0.5) < 0.01;
+  given no radio;
+  expect length(it) == 0;
+}
+)")
+                  .has_passed());
+}
+
 TEST(ComponentTest, WithoutItsUnitARobotIsItsOwnMiddle) {
   EXPECT_TRUE(outcome_of(R"(
 test "x" of DetectUnitCenter() {
@@ -212,6 +227,7 @@ test "x" of Noise() {
   given door(from = [0 m, 0 m], to = [1 m, 0 m], marked = true);
   given hallway(from = [0 m, 0 m], to = [9 m, 0 m], width = 2 m);
   given place("Gate", at = [1 m, 2 m]);
+  given radio(at = [1 m, 2 m], strength = 40, robot = 3, mate = true);
   expect length(it) >= 0;
 }
 )");

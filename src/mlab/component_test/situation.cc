@@ -149,6 +149,9 @@ void Situation::forget(TestPercept what) {
     case TestPercept::kTouch:
       percepts_.touch = {};
       break;
+    case TestPercept::kRadio:
+      contacts_.clear();
+      break;
   }
 }
 
@@ -267,6 +270,10 @@ void Situation::take(const LoweredStep& step) {
     case TestPercept::kTouch:
       percepts_.touch = geom::polar(1.0, number(step, "direction"));
       break;
+    case TestPercept::kRadio:
+      contacts_.push_back(
+          {point("at"), {{id("robot")}, {}, number(step, "strength"), value<bool>(step, "mate")}});
+      break;
   }
 }
 
@@ -321,6 +328,13 @@ void Situation::sense() {
   percepts_.shared_places = shared_places_;
   sort_by(claims_, [](const auto& one) { return one.object.value; });
   percepts_.claims = claims_;
+  heard_.clear();
+  for (const Contact& one : contacts_) {
+    percept::RadioContact& contact = heard_.emplace_back(one.contact);
+    contact.center = percepts_.pose.to_robot(one.at);
+  }
+  sort_by(heard_, [](const auto& one) { return -one.strength; });
+  percepts_.radio = heard_;
 }
 
 const percept::Percepts& Situation::in_cycle(std::uint64_t cycle) {

@@ -38,6 +38,10 @@ class Situation {
     geom::Point at;
     percept::ObjectReading reading;
   };
+  struct Contact {
+    geom::Point at;
+    percept::RadioContact contact;
+  };
   /// Numbers of things of a kind.
   struct Ids {
     std::set<std::uint32_t> said;
@@ -64,6 +68,7 @@ class Situation {
   std::vector<std::uint64_t> messages_;
   std::vector<percept::SharedPlace> shared_places_;
   std::vector<percept::Claim> claims_;
+  std::vector<Contact> contacts_;
   std::vector<percept::Door> doors_;
   std::vector<percept::Hallway> hallways_;
   bool is_sensed_ = false;    // the lists below are those of what was given
@@ -78,6 +83,7 @@ class Situation {
   std::vector<percept::Obstacle> seen_obstacles_;
   std::vector<percept::RobotReading> seen_robots_;
   std::vector<percept::ObjectReading> seen_objects_;
+  std::vector<percept::RadioContact> heard_;  // strongest first
 };
 
 }  // namespace mlab::component_test

@@ -325,7 +325,7 @@ void Fleet::step(double dt) {
     else if (robot.life == RobotLife::kFaulted && now_.failsafes->drives(robot.failsafe))
       go_on_by_failsafe(robot, dt);
   }
-  now_.messages.resolve(now_.robots, binding_.time());
+  now_.messages.resolve(now_.robots, binding_.time(), [this] { return binding_.radio(); });
   binding_.carry_out(actions_, dt);
   update_poses();
 }
@@ -469,7 +469,7 @@ void Fleet::add_told(const FleetRobot& robot, const percept::Needs& needs, doubl
   out.joystick = robot.joystick;
   out.id = robot.id;
   out.notifications = robot.notifications;
-  out.shared_places = now_.messages.places();
+  out.shared_places = now_.messages.places(robot);
   out.claims = now_.messages.claims(robot.team);
   out.contracts = now_.messages.contracts(robot.team);
   if (needs.has(percept::Sensor::kGround)) out.ground = ground_of(robot).view();

@@ -25,30 +25,70 @@ void take(std::vector<std::uint64_t>& inbox, std::uint64_t notification) {
   if (at != inbox.end() && *at == notification) inbox.erase(at);
 }
 
+// Of a robot that hears more tellers the oldest is forgotten.
+constexpr std::size_t kMostHeard = 256;
+
+void put(std::vector<SharedPlace>& places, const SharedPlace& place) {
+  const auto at = std::ranges::lower_bound(places, place.from, {}, &SharedPlace::from);
+  if (at != places.end() && at->from == place.from)
+    *at = place;
+  else
+    places.insert(at, place);
+}
+
+SharedPlace place_in(const Request& request, base::RobotId from, double time) {
+  return {from, request.object, request.object_class, request.place, time};
+}
+
+bool is_told(const Request& request) {
+  if (request.kind == Request::Kind::kSharePlace) return std::isfinite(request.place.x + request.place.y);
+  return request.kind == Request::Kind::kNotify && request.audience != Audience::kSelf;
+}
+
 }  // namespace
+
+std::span<const SharedPlace> Messages::places(const FleetRobot& robot) const {
+  return is_limited_ ? robot.places : places_;
+}
 
 std::span<const Claim> Messages::claims(std::uint32_t team) const {
   const auto range = std::ranges::equal_range(claim_teams_, team);
   return {claims_.data() + (range.begin() - claim_teams_.begin()), range.size()};
 }
 
-void Messages::resolve(std::vector<FleetRobot>& robots, double time) {
-  to_all_.clear();
-  to_teams_.clear();
+void Messages::resolve(std::vector<FleetRobot>& robots, double time,
+                       const std::function<const binding::RadioLinks*()>& radio) {
+  told_.clear();
   wishes_.clear();
-  for (FleetRobot& robot : robots) read(robot, time);
-  deliver(robots);
+  for (FleetRobot& robot : robots) read(robot);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (const Request& request : requests_of(robots[i])) {
+      if (is_told(request)) told_.push_back({i, request});
+    }
+  }
+  if (!told_.empty()) {
+    const binding::RadioLinks* const links = radio();
+    limit(robots, links != nullptr);
+    links == nullptr ? tell(robots, time) : tell(robots, time, *links);
+  }
   settle_claims();
   contracts_.resolve(robots, time);
 }
 
-void Messages::read(FleetRobot& robot, double time) {
+// What was known stays known.
+void Messages::limit(std::vector<FleetRobot>& robots, bool is_limited) {
+  if (is_limited && !is_limited_) {
+    for (FleetRobot& robot : robots) robot.places = places_;
+  }
+  is_limited_ = is_limited;
+}
+
+void Messages::read(FleetRobot& robot) {
   // What is taken was heard in this cycle; what comes now is news.
   for (const Request& request : requests_of(robot)) {
     if (request.kind == Request::Kind::kTakeNotification) take(robot.notifications, request.notification);
   }
   for (const Request& request : requests_of(robot)) {
-    if (request.kind == Request::Kind::kSharePlace) share(robot.id, request, time);
     if (request.kind == Request::Kind::kClaim && request.object.value != 0) {
       const auto held = claims(robot.team);
       const Claim claim{request.object, robot.id};
@@ -58,21 +98,62 @@ void Messages::read(FleetRobot& robot, double time) {
           std::isfinite(request.cost) ? request.cost : std::numeric_limits<double>::infinity();
       wishes_.push_back({robot.team, claim, !is_held, cost});
     }
-    if (request.kind != Request::Kind::kNotify) continue;
-    if (request.audience == Audience::kAll) to_all_.push_back(request.notification);
-    if (request.audience == Audience::kTeam) to_teams_.push_back({robot.team, request.notification});
-    if (request.audience == Audience::kSelf) put(robot.notifications, request.notification);
+    if (request.kind == Request::Kind::kNotify && request.audience == Audience::kSelf)
+      put(robot.notifications, request.notification);
   }
 }
 
-void Messages::share(base::RobotId from, const Request& request, double time) {
-  if (!std::isfinite(request.place.x + request.place.y)) return;
-  const SharedPlace place{from, request.object, request.object_class, request.place, time};
-  const auto at = std::ranges::lower_bound(places_, from, {}, &SharedPlace::from);
-  if (at != places_.end() && at->from == from)
-    *at = place;
-  else
-    places_.insert(at, place);
+void Messages::tell(std::vector<FleetRobot>& robots, double time) {
+  to_all_.clear();
+  to_teams_.clear();
+  for (const auto& [teller, request] : told_) {
+    if (request.kind == Request::Kind::kSharePlace)
+      put(places_, place_in(request, robots[teller].id, time));
+    else if (request.audience == Audience::kAll)
+      to_all_.push_back(request.notification);
+    else
+      to_teams_.push_back({robots[teller].team, request.notification});
+  }
+  deliver(robots);
+}
+
+// Who tells something knows it himself. Who has no body hears nobody.
+void Messages::tell(std::vector<FleetRobot>& robots, double time, const binding::RadioLinks& radio) {
+  nets_.clear();
+  for (const FleetRobot& robot : robots)
+    nets_.push_back(robot.body == binding::kNoBody ? binding::kNoBody.value : radio.net_of(robot.body));
+  broadcasts_.clear();
+  for (const auto& [from, request] : told_) {
+    FleetRobot& teller = robots[from];
+    const bool is_place = request.kind == Request::Kind::kSharePlace;
+    const bool is_to_all = request.audience == Audience::kAll;
+    const SharedPlace place = place_in(request, teller.id, time);
+    if (is_place) put(places_, place);
+    if (!is_place && !radio.loses(teller.body)) {
+      broadcasts_.push_back({nets_[from], is_to_all, is_to_all ? 0 : teller.team, request.notification});
+      continue;
+    }
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      FleetRobot& robot = robots[i];
+      if (nets_[i] != nets_[from] || (!is_place && !is_to_all && robot.team != teller.team)) continue;
+      if (i != from && !(robot.body != binding::kNoBody && radio.arrives(teller.body, robot.body))) continue;
+      if (!is_place) {
+        put(robot.notifications, request.notification);
+        continue;
+      }
+      put(robot.places, place);
+      if (robot.places.size() > kMostHeard)
+        robot.places.erase(std::ranges::min_element(robot.places, {}, &SharedPlace::time));
+    }
+  }
+  std::ranges::sort(broadcasts_);
+  broadcasts_.erase(std::ranges::unique(broadcasts_).begin(), broadcasts_.end());
+  if (broadcasts_.empty()) return;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (const Broadcast& one : std::ranges::equal_range(broadcasts_, nets_[i], {}, &Broadcast::net)) {
+      if (one.is_to_all || one.team == robots[i].team) put(robots[i].notifications, one.notification);
+    }
+  }
 }
 
 void Messages::deliver(std::vector<FleetRobot>& robots) {

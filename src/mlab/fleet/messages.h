@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "mlab/binding/radio.h"
 #include "mlab/fleet/contracts.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
@@ -25,15 +27,22 @@ struct FleetRobot;
 /// - A claim holds for one cycle and has to be asked for in every one. Who held it keeps it; of those that
 ///   want it anew, the one with the least cost gets it, and of equals the one with the lowest id.
 /// - Tasks are announced to a team, bid for and awarded: see `Contracts`.
+///
+/// Where radios reach only so far, notifications and places come to those who are linked with their teller in
+/// that cycle, also over others, unless they are lost on the way; a robot keeps the places that it heard
+/// last. Claims and tasks are settled by all of a team, wherever they are.
 class Messages {
  public:
   /// Resolves the requests in the robots' actions of this cycle.
   /// @param robots  by id, ascending; their inboxes are changed
   /// @param time    of the cycle [s]
-  void resolve(std::vector<FleetRobot>& robots, double time);
+  /// @param radio   who hears whom in it; asked only where something is told. Null: everybody everybody
+  void resolve(
+      std::vector<FleetRobot>& robots, double time,
+      const std::function<const binding::RadioLinks*()>& radio = [] { return nullptr; });
 
-  /// By the robot that told it, ascending.
-  std::span<const percept::SharedPlace> places() const { return places_; }
+  /// That a robot has heard of, by the robot that told it, ascending.
+  std::span<const percept::SharedPlace> places(const FleetRobot& robot) const;
   /// Of that team, by object, ascending.
   std::span<const percept::Claim> claims(std::uint32_t team) const;
 
@@ -52,6 +61,19 @@ class Messages {
     std::uint64_t notification;
     friend auto operator<=>(const Letter&, const Letter&) = default;
   };
+  /// To those of a net.
+  struct Broadcast {
+    std::uint32_t net;
+    bool is_to_all;
+    std::uint32_t team;  ///< where it is not to all
+    std::uint64_t notification;
+    friend auto operator<=>(const Broadcast&, const Broadcast&) = default;
+  };
+  /// What somebody tells whose radio may not bring it to everybody.
+  struct Told {
+    std::size_t teller;  ///< place among the robots
+    percept::Request request;
+  };
   struct Wish {
     std::uint32_t team;
     percept::Claim claim;
@@ -59,13 +81,19 @@ class Messages {
     double cost;
   };
 
-  void read(FleetRobot& robot, double time);
-  void share(base::RobotId from, const percept::Request& request, double time);
+  void read(FleetRobot& robot);
+  void tell(std::vector<FleetRobot>& robots, double time);
+  void tell(std::vector<FleetRobot>& robots, double time, const binding::RadioLinks& radio);
   void deliver(std::vector<FleetRobot>& robots);
+  void limit(std::vector<FleetRobot>& robots, bool is_limited);
   void settle_claims();
 
   std::vector<std::uint64_t> to_all_;
   std::vector<Letter> to_teams_;
+  std::vector<Told> told_;
+  std::vector<Broadcast> broadcasts_;
+  std::vector<std::uint32_t> nets_;  // of robots, by place
+  bool is_limited_ = false;          // not everybody hears everybody: each robot knows places of its own
   std::vector<Wish> wishes_;
   std::vector<percept::SharedPlace> places_;
   std::vector<percept::Claim> claims_;      // by team, then object

@@ -109,13 +109,13 @@ TEST(Messages, KeepTheLastPlaceOfEveryRobot) {
   place.place = {7, 8};
   t.ask(3, place).resolve(2.0);
   t.resolve(3.0);
-  ASSERT_EQ(t.messages.places().size(), 2U);
-  EXPECT_EQ(t.messages.places()[0].from.value, 1U);
-  EXPECT_EQ(t.messages.places()[0].time, 1.0);
-  EXPECT_EQ(t.messages.places()[1].object.value, 9U);
-  EXPECT_EQ(t.messages.places()[1].object_class, percept::ObjectClass::kFlag);
-  EXPECT_EQ(t.messages.places()[1].place, (geom::Point{7, 8}));
-  EXPECT_EQ(t.messages.places()[1].time, 2.0);
+  ASSERT_EQ(t.messages.places(t.robots[0]).size(), 2U);
+  EXPECT_EQ(t.messages.places(t.robots[0])[0].from.value, 1U);
+  EXPECT_EQ(t.messages.places(t.robots[0])[0].time, 1.0);
+  EXPECT_EQ(t.messages.places(t.robots[0])[1].object.value, 9U);
+  EXPECT_EQ(t.messages.places(t.robots[0])[1].object_class, percept::ObjectClass::kFlag);
+  EXPECT_EQ(t.messages.places(t.robots[0])[1].place, (geom::Point{7, 8}));
+  EXPECT_EQ(t.messages.places(t.robots[0])[1].time, 2.0);
 }
 
 TEST(Messages, DropPlacesThatAreNoNumbers) {
@@ -124,7 +124,7 @@ TEST(Messages, DropPlacesThatAreNoNumbers) {
   place.kind = Request::Kind::kSharePlace;
   place.place.x = std::numeric_limits<double>::quiet_NaN();
   t.ask(1, place).resolve();
-  EXPECT_TRUE(t.messages.places().empty());
+  EXPECT_TRUE(t.messages.places(t.robots[0]).empty());
 }
 
 TEST(Messages, AClaimGoesToTheRobotWithTheLeastCostOfEqualsToTheFirst) {
@@ -163,6 +163,123 @@ TEST(Messages, NobodyClaimsNoObject) {
   TestMessages t;
   t.ask(1, claim({0}, 0.0)).resolve();
   EXPECT_TRUE(t.messages.claims(0).empty());
+}
+
+// Radios that link those of the same net, as a test says; what a robot of `lossy` tells is lost to those of
+// `deaf`.
+struct TestLinks final : binding::RadioLinks {
+  std::vector<std::uint32_t> nets = {0, 0, 1, 1};
+  std::vector<std::uint32_t> lossy;  // bodies
+  std::vector<std::uint32_t> deaf;   // bodies
+
+  std::uint32_t net_of(binding::BodyIndex body) const override { return nets[body.value]; }
+  bool loses(binding::BodyIndex from) const override {
+    return std::ranges::find(lossy, from.value) != lossy.end();
+  }
+  bool arrives(binding::BodyIndex from, binding::BodyIndex to) const override {
+    return net_of(from) == net_of(to) && !(loses(from) && std::ranges::find(deaf, to.value) != deaf.end());
+  }
+};
+
+// Robots 1 and 3 are team 0, robots 2 and 4 are team 1; 1 and 2 hear each other, and 3 and 4.
+struct TestRadio : TestMessages {
+  TestLinks links;
+
+  TestRadio() {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      robots[i].team = i % 2;
+      robots[i].body = {i};
+    }
+  }
+  TestRadio& ask(std::uint32_t robot, const Request& request) {
+    TestMessages::ask(robot, request);
+    return *this;
+  }
+  void hear(double time = 0.0) {
+    messages.resolve(robots, time, [this] { return &links; });
+    for (FleetRobot& robot : robots) robot.action = {};
+  }
+  std::vector<geom::Point> places_of(std::uint32_t robot) const {
+    std::vector<geom::Point> out;
+    for (const percept::SharedPlace& one : messages.places(robots[robot - 1])) out.push_back(one.place);
+    return out;
+  }
+};
+
+Request at_place(geom::Point place) {
+  Request out;
+  out.kind = Request::Kind::kSharePlace;
+  out.place = place;
+  return out;
+}
+
+TEST(Radio, NotificationsComeToThoseWhoAreLinkedAndToTheTellerHimself) {
+  TestRadio t;
+  t.ask(1, notification("all", Audience::kAll)).ask(4, notification("team", Audience::kTeam)).hear();
+  EXPECT_EQ(t.hearers("all"), (std::vector<int>{1, 2}));
+  EXPECT_EQ(t.hearers("team"), (std::vector<int>{4}));
+  t.links.nets = {0, 0, 0, 0};
+  t.ask(1, notification("other", Audience::kAll)).hear();
+  EXPECT_EQ(t.hearers("all"), (std::vector<int>{1, 2})) << "what was missed is not told again";
+  EXPECT_EQ(t.hearers("other"), (std::vector<int>{1, 2, 3, 4}));
+  t.ask(4, notification("team", Audience::kTeam)).hear();
+  EXPECT_EQ(t.hearers("team"), (std::vector<int>{2, 4}));
+}
+
+TEST(Radio, WhatIsLostOnItsWayIsNotHeard) {
+  TestRadio t;
+  t.links.lossy = {0};
+  t.links.deaf = {0, 1};
+  t.ask(1, notification("all", Audience::kAll)).ask(1, at_place({5, 6})).hear();
+  EXPECT_EQ(t.hearers("all"), (std::vector<int>{1})) << "who tells it knows it";
+  EXPECT_EQ(t.places_of(1), (std::vector<geom::Point>{{5, 6}}));
+  EXPECT_TRUE(t.places_of(2).empty());
+  t.ask(2, notification("back", Audience::kAll)).hear();
+  EXPECT_EQ(t.hearers("back"), (std::vector<int>{1, 2})) << "of those who lose nothing all arrives";
+}
+
+TEST(Radio, PlacesAreKnownAsTheyWereHeardLast) {
+  TestRadio t;
+  t.ask(1, at_place({5, 6})).hear(1.0);
+  t.links.nets = {0, 1, 1, 1};
+  t.ask(1, at_place({7, 8})).hear(2.0);
+  EXPECT_EQ(t.places_of(2), (std::vector<geom::Point>{{5, 6}}));
+  EXPECT_EQ(t.places_of(1), (std::vector<geom::Point>{{7, 8}}));
+  EXPECT_TRUE(t.places_of(3).empty());
+}
+
+TEST(Radio, WhatWasKnownBeforeRadiosHadARangeStaysKnown) {
+  TestRadio t;
+  t.ask(1, at_place({5, 6})).resolve(1.0);
+  t.ask(3, at_place({1, 2})).hear(2.0);
+  EXPECT_EQ(t.places_of(1), (std::vector<geom::Point>{{5, 6}}));
+  EXPECT_EQ(t.places_of(4), (std::vector<geom::Point>{{5, 6}, {1, 2}}));
+  t.ask(1, at_place({7, 8})).resolve(3.0);
+  EXPECT_EQ(t.places_of(2), (std::vector<geom::Point>{{7, 8}, {1, 2}})) << "once all hear all, they know all";
+}
+
+TEST(Radio, WhoHasNoBodyHearsNobody) {
+  TestRadio t;
+  t.robots[1].body = binding::kNoBody;
+  t.ask(1, notification("all", Audience::kAll)).ask(1, at_place({5, 6})).hear();
+  EXPECT_EQ(t.hearers("all"), (std::vector<int>{1}));
+  EXPECT_TRUE(t.places_of(2).empty());
+}
+
+TEST(Radio, OfManyTellersTheOldestIsForgotten) {
+  TestRadio t;
+  t.links.nets.assign(400, 0);
+  for (std::uint32_t i = 4; i < 400; ++i) {
+    t.robots.emplace_back();
+    t.robots.back().id = {i + 1};
+    t.robots.back().body = {i};
+  }
+  for (std::uint32_t robot = 400; robot > 100; --robot)
+    t.ask(robot, at_place({1.0 * robot, 0})).hear(500.0 - robot);
+  const std::vector<geom::Point> known = t.places_of(1);
+  ASSERT_EQ(known.size(), 256U);
+  EXPECT_EQ(known.front().x, 101.0);
+  EXPECT_EQ(known.back().x, 356.0);
 }
 
 }  // namespace

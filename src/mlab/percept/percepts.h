@@ -117,6 +117,14 @@ struct RangeReading {
   bool hit = false;
 };
 
+/// Another robot whose radio this one hears. It says where it is.
+struct RadioContact {
+  base::RobotId id;
+  geom::Vector center;        ///< [m, robot frame]
+  double strength = 0.0;      ///< of its signal, of that within 1 m [%], > 0
+  bool is_unit_mate = false;  ///< of the same outermost unit
+};
+
 /// What the mission wants of a robot. The numbers are those of the historic command messages.
 enum class Task : std::uint8_t {
   kNone = 0,
@@ -212,7 +220,8 @@ struct Percepts {
   std::span<const Claim> claims;
   /// The tasks that this robot's team contracts for, by task, then object, ascending.
   std::span<const Contract> contracts;
-  KnownGround ground;  ///< where it is wanted
+  KnownGround ground;                   ///< where it is wanted
+  std::span<const RadioContact> radio;  ///< strongest first
 };
 
 }  // namespace mlab::percept

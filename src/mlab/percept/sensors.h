@@ -10,7 +10,7 @@
 namespace mlab::percept {
 
 /// What senses only where somebody asks for it. All else of `Percepts` is always told.
-enum class Sensor : std::uint8_t { kObstacles, kRobots, kObjects, kRanges, kTouch, kGround };
+enum class Sensor : std::uint8_t { kObstacles, kRobots, kObjects, kRanges, kTouch, kGround, kRadio };
 
 /// All that is to be known of a sensor but how it senses. CNL, `mlab describe`, completion, messages between
 /// processes, recordings and the documentation take it from here; `tools/tables` writes what is not C++.
@@ -54,6 +54,11 @@ inline constexpr std::array kSensors = {
         "what robots know to stand on the ground, near or far: obstacles, walls and the edges of areas to "
         "keep out of that the overlay has, and obstacles that robots of the team have sensed. Told, not "
         "sensed"},
+    SensorInfo{
+        Sensor::kRadio, "radio", true, false, "radio",
+        "all others whose radio is heard, wherever they are, with the strength of the signal in percent "
+        "(`radio_range` of the body, and zones without; docs/simulator.md has the law). Sorted by strength, "
+        "then distance; of more than 64 the first. Every body has it"},
 };
 static_assert(base::has_a_row_for_each<kSensors, &SensorInfo::sensor>());
 

@@ -138,6 +138,14 @@ std::optional<std::string> problem_of(const wire::RecordedBody& body) {
                      body.range_sensors(), kMostSensors);
 }
 
+std::optional<std::string> problem_of(const wire::RecordedRadio& radio) {
+  if (radio.robot_size() != radio.net_size())
+    return fmt::format("{} robots with radios are in {} nets", radio.robot_size(), radio.net_size());
+  if (radio.lost_from_size() != radio.lost_to_size())
+    return fmt::format("what {} robots told was lost to {}", radio.lost_from_size(), radio.lost_to_size());
+  return std::nullopt;
+}
+
 std::optional<std::string> problem_of(const wire::RecordedCycle& cycle) {
   if (!(cycle.duration() > 0.0)) return fmt::format("a cycle lasts {} s", cycle.duration());
   robot_wire::DecodedPercepts percepts;
@@ -150,7 +158,7 @@ std::optional<std::string> problem_of(const wire::RecordedCycle& cycle) {
   for (const wire::RecordedObject& object : cycle.objects()) {
     if (auto problem = problem_of(object)) return problem;
   }
-  return std::nullopt;
+  return problem_of(cycle.radio());
 }
 
 }  // namespace

@@ -137,6 +137,29 @@ void RecordedBinding::percepts(std::span<const binding::Sensing> robots, int /*w
   }
 }
 
+bool RecordedBinding::Links::arrives(binding::BodyIndex from, binding::BodyIndex to) const {
+  return net_of(from) == net_of(to) && !lost.contains({from.value, to.value});
+}
+
+// Whoever was not there then hears nobody.
+const binding::RadioLinks* RecordedBinding::radio() {
+  if (cycle_ == nullptr || !cycle_->has_radio()) return nullptr;
+  const wire::RecordedRadio& radio = cycle_->radio();
+  constexpr std::uint32_t kOfItsOwn = 1U << 31;
+  links_.nets.clear();
+  for (std::uint32_t i = 0; i < bodies_.size(); ++i) links_.nets.push_back(kOfItsOwn + i);
+  for (int i = 0; i < radio.robot_size(); ++i) {
+    if (const Body* body = find(radio.robot(i))) links_.nets[body->number.value] = radio.net(i);
+  }
+  links_.lost.clear();
+  for (int i = 0; i < radio.lost_from_size(); ++i) {
+    const Body* from = find(radio.lost_from(i));
+    const Body* to = find(radio.lost_to(i));
+    if (from != nullptr && to != nullptr) links_.lost.emplace(from->number.value, to->number.value);
+  }
+  return &links_;
+}
+
 void RecordedBinding::carry_out(std::span<const percept::Action> actions, double dt) {
   if (cycle_ == nullptr) {
     time_ += dt;

@@ -2,8 +2,10 @@
 
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "mlab/binding/binding.h"
@@ -41,6 +43,7 @@ class RecordedBinding final : public binding::Binding, private binding::WorldVie
   void percepts(std::span<const binding::Sensing> robots, int worker) override;
   void carry_out(std::span<const percept::Action> actions, double dt) override;
   void poses(std::span<const binding::BodyIndex> bodies, std::span<geom::Pose> out) const override;
+  const binding::RadioLinks* radio() override;
   double time() const override { return time_; }
   binding::Workers& workers() const override { return *workers_; }
   const binding::WorldView& view() const override { return *this; }
@@ -60,6 +63,16 @@ class RecordedBinding final : public binding::Binding, private binding::WorldVie
     std::string lack;  // of its percepts in this cycle
     geom::Pose pose;
     binding::BodyState state;
+  };
+  /// Who heard whom. What was not told then arrives.
+  class Links final : public binding::RadioLinks {
+   public:
+    std::uint32_t net_of(binding::BodyIndex body) const override { return nets[body.value]; }
+    bool arrives(binding::BodyIndex from, binding::BodyIndex to) const override;
+    bool loses(binding::BodyIndex /*from*/) const override { return !lost.empty(); }
+
+    std::vector<std::uint32_t> nets;                         ///< by number of the body
+    std::set<std::pair<std::uint32_t, std::uint32_t>> lost;  ///< from, to
   };
   struct Robot {
     std::size_t starts = 0;  // bodies that it got
@@ -90,6 +103,7 @@ class RecordedBinding final : public binding::Binding, private binding::WorldVie
   std::vector<binding::Disc> discs_;
   std::vector<binding::Wall> walls_;
   std::vector<binding::Object> objects_;
+  Links links_;
   const wire::RecordedCycle* cycle_ = nullptr;  // the coming one, where it is read already
   std::uint64_t cycles_done_ = 0;
   double time_ = 0.0;

@@ -78,6 +78,34 @@ void RecordingBinding::percepts(std::span<const binding::Sensing> robots, int wo
   }
 }
 
+bool RecordingBinding::Links::arrives(binding::BodyIndex from, binding::BodyIndex to) const {
+  if (inner->arrives(from, to)) return true;
+  if (net_of(from) == net_of(to)) lost.emplace_back(from, to);
+  return false;
+}
+
+const binding::RadioLinks* RecordingBinding::radio() {
+  links_.inner = inner_->radio();
+  links_.lost.clear();
+  return links_.inner == nullptr ? nullptr : &links_;
+}
+
+// Also where nobody told anything: whoever does, once this is replayed, is heard by the same.
+void RecordingBinding::add_radio(wire::RecordedCycle& cycle) {
+  if (links_.inner == nullptr && radio() == nullptr) return;
+  wire::RecordedRadio& radio = *cycle.mutable_radio();
+  for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].is_present) continue;
+    radio.add_robot(bodies_[i].robot.value);
+    radio.add_net(links_.net_of({i}));
+  }
+  for (const auto& [from, to] : links_.lost) {
+    radio.add_lost_from(bodies_[from.value].robot.value);
+    radio.add_lost_to(bodies_[to.value].robot.value);
+  }
+  links_.inner = nullptr;
+}
+
 void RecordingBinding::carry_out(std::span<const percept::Action> actions, double dt) {
   wire::RecordedEntry entry;
   wire::RecordedCycle& cycle = *entry.mutable_cycle();
@@ -89,6 +117,7 @@ void RecordingBinding::carry_out(std::span<const percept::Action> actions, doubl
                        *bodies_[i].told.mutable_action());
     *cycle.add_robots() = bodies_[i].told;
   }
+  add_radio(cycle);
   inner_->carry_out(actions, dt);
   add_states(cycle);
   add_objects(cycle);

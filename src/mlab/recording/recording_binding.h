@@ -27,6 +27,7 @@ class RecordingBinding final : public binding::Binding {
   void poses(std::span<const binding::BodyIndex> bodies, std::span<geom::Pose> out) const override {
     inner_->poses(bodies, out);
   }
+  const binding::RadioLinks* radio() override;
   double time() const override { return inner_->time(); }
   binding::Workers& workers() const override { return inner_->workers(); }
   const binding::WorldView& view() const override { return inner_->view(); }
@@ -44,14 +45,26 @@ class RecordingBinding final : public binding::Binding {
     bool has_acted = false;  // in this cycle
     wire::RecordedRobot told;
   };
+  /// The links of another binding, with what is lost on them noted.
+  class Links final : public binding::RadioLinks {
+   public:
+    std::uint32_t net_of(binding::BodyIndex body) const override { return inner->net_of(body); }
+    bool arrives(binding::BodyIndex from, binding::BodyIndex to) const override;
+    bool loses(binding::BodyIndex from) const override { return inner->loses(from); }
+
+    const binding::RadioLinks* inner = nullptr;  ///< of this cycle; null: all that is told arrives
+    mutable std::vector<std::pair<binding::BodyIndex, binding::BodyIndex>> lost;
+  };
   void write_world(const binding::MapChange& change);
   void add_states(wire::RecordedCycle& cycle) const;
   void add_objects(wire::RecordedCycle& cycle);
+  void add_radio(wire::RecordedCycle& cycle);
 
   std::unique_ptr<binding::Binding> inner_;
   std::shared_ptr<PerceptsWriter> file_;
   std::deque<Body> bodies_;               // by number
   std::vector<binding::Object> objects_;  // as the file has them
+  Links links_;
 };
 
 }  // namespace mlab::recording

@@ -43,6 +43,8 @@ constexpr Quantity kQuantities[] = {
     {"camera_field_of_view", [](binding::BodySpec& b, double v) { b.camera.field_of_view = v; }},
     {"camera_max_pan", [](binding::BodySpec& b, double v) { b.camera.max_pan = v; }},
     {"camera_pan_rate", [](binding::BodySpec& b, double v) { b.camera.max_pan_rate = v; }},
+    {"radio_range", [](binding::BodySpec& b, double v) { b.radio.range = v; }},
+    {"radio_loss", [](binding::BodySpec& b, double v) { b.radio.loss = v; }},
     {"ring_dropout", [](binding::BodySpec& b, double v) { b.ring.dropout = v; }},
 };
 

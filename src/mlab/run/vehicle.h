@@ -26,6 +26,7 @@ namespace mlab::run {
 /// - camera_field_of_view, camera_max_pan, camera_pan_rate: what sees objects, 360, 180 to each side, 0, no
 /// limit
 ///   [deg], [deg], [deg/s]
+/// - radio_range, radio_loss: how far it is heard, and what of it is lost, 0, everywhere, and 0 [m], share
 ///
 /// @errors  a value of one of these keys that is no number or out of range
 /// @param configured  what the class of a configured robot says of its body, by the same keys, in SI units;

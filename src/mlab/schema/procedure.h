@@ -39,6 +39,7 @@
 #include "mlab/schema/robots.h"
 #include "mlab/schema/route.h"
 #include "mlab/schema/sectors.h"
+#include "mlab/schema/signal.h"
 #include "mlab/schema/stick.h"
 #include "mlab/schema/task_progress.h"
 #include "mlab/schema/vector_sum.h"
@@ -81,6 +82,7 @@ using percept::ObjectClass;
 using percept::ObjectReading;
 using percept::ObjectStyle;
 using percept::Obstacle;
+using percept::RadioContact;
 using percept::RangeReading;
 using percept::RobotReading;
 using percept::Task;

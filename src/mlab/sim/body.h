@@ -15,7 +15,13 @@ using binding::Kinematics;
 using binding::kSameContact;
 using binding::Momentum;
 using binding::Placement;
+using binding::RadioSpec;
 using binding::RangeRing;
 using binding::WantedMotion;
+
+/// One that is no number, or less than 0, is 0 [m].
+double usable_range(double range);
+/// With every number within what can be computed with.
+BodySpec usable(BodySpec spec);
 
 }  // namespace mlab::sim

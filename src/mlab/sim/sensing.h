@@ -38,6 +38,7 @@ class SenseBuffer {
   std::vector<percept::RobotReading> robots_;
   std::vector<percept::ObjectReading> objects_;
   std::vector<percept::RangeReading> ranges_;
+  std::vector<percept::RadioContact> radio_;
 };
 
 }  // namespace mlab::sim

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "mlab/base/angle.h"
 #include "mlab/base/random.h"
 #include "mlab/sim/camera.h"
+#include "mlab/sim/radio.h"
 
 namespace mlab::sim {
 namespace {
@@ -33,14 +35,6 @@ Vector turned(geom::Offset o, geom::Offset ahead) {
 
 double square_distance(Point a, Point b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
-}
-
-// Whether a ray to the east crosses the line, counted so that a closed edge is crossed an odd number of times
-// from inside.
-bool is_crossed(const geom::Segment& line, Point from) {
-  const auto& [a, b] = line;
-  if ((a.y > from.y) == (b.y > from.y)) return false;
-  return from.x < a.x + (b.x - a.x) * (from.y - a.y) / (b.y - a.y);
 }
 
 /// What a robot notices of an area that only it itself keeps it out of.
@@ -128,6 +122,7 @@ void Sensors::forget(percept::Percepts& out) {
   out.ranges = {};
   out.range_limit = 0.0;
   out.touch = {};
+  out.radio = {};
 }
 
 void Sensors::sense(percept::Sensor sensor, double reach, percept::Percepts& out) {
@@ -146,6 +141,9 @@ void Sensors::sense(percept::Sensor sensor, double reach, percept::Percepts& out
       break;
     case percept::Sensor::kTouch:
       if (const auto thing = touched(scene_, body_)) out.touch = geom::unit(to_robot(*thing));
+      break;
+    case percept::Sensor::kRadio:
+      sense_radio(out);
       break;
     case percept::Sensor::kGround:  // is told
       break;
@@ -305,6 +303,38 @@ void Sensors::sense_robots(double range, percept::Percepts& out) {
          .object_class = bodies.seen_as[seen.id]});
   }
   out.robots = buffer_.robots_;
+}
+
+// Of very many the strongest, and of equally strong ones the nearest.
+void Sensors::sense_radio(percept::Percepts& out) {
+  constexpr std::size_t kMost = 64;
+  const Bodies& bodies = scene_.bodies;
+  std::vector<percept::RadioContact>& heard = buffer_.radio_;
+  const auto is_better = [](const percept::RadioContact& a, const percept::RadioContact& b) {
+    const auto rank = [](const percept::RadioContact& one) {
+      return std::tuple(-one.strength, dot(one.center, one.center), one.id);
+    };
+    return rank(a) < rank(b);
+  };
+  const auto keep_best = [&] {
+    if (heard.size() <= kMost) return;
+    std::ranges::nth_element(heard, heard.begin() + kMost, is_better);
+    heard.resize(kMost);
+  };
+  heard.clear();
+  const double range = scene_.kinds[bodies.kind[body_]].spec.radio.range;
+  const Box reach = range == 0.0 ? kWholeWorld : Box::around(here_.x, here_.y, range);
+  scene_.grid.visit(reach, [&](const PointGrid::Item& item) {
+    if (item.id == body_) return;
+    const double strength = signal_between(scene_, body_, item.id, buffer_.walls_);
+    if (strength <= 0.0) return;
+    const bool is_mate = bodies.unit[body_] != 0 && bodies.unit[body_] == bodies.unit[item.id];
+    heard.push_back({bodies.robot[item.id], to_robot(bodies.position(item.id)), strength, is_mate});
+    if (heard.size() == 2 * kMost) keep_best();
+  });
+  keep_best();
+  std::ranges::sort(heard, is_better);
+  out.radio = heard;
 }
 
 void Sensors::sense_objects(double range, percept::Percepts& out) {

@@ -32,6 +32,7 @@ class Sensors {
     std::uint64_t seed;
     std::uint64_t cycle;
     std::span<const MovingDisc> roamers;
+    std::span<const Outline> silences;
   };
   Sensors(const Scene& scene, std::uint32_t body, SenseBuffer& buffer);
 
@@ -45,6 +46,7 @@ class Sensors {
   void sense_robots(double range, percept::Percepts& out);
   void sense_objects(double range, percept::Percepts& out);
   void sense_ranges(percept::Percepts& out);
+  void sense_radio(percept::Percepts& out);
   geom::Vector to_robot(geom::Point point) const;
   geom::Vector velocity_at(const geom::Vector& hit) const;
   void see_by_ring(double range, percept::Percepts& out);

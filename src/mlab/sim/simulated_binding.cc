@@ -129,6 +129,7 @@ binding::MapChange SimulatedBinding::change_map(const overlay::Overlay& before,
   if (!std::ranges::equal(old_world.walls, new_world.walls, is_same_wall))
     out.moved_by_walls = robots_of(simulator_.set_walls(new_world.walls));
   simulator_.set_building(std::move(new_world.building));
+  simulator_.set_silences(std::move(new_world.silences));
   const std::vector<base::ObjectId> were = same_objects(old_world.objects, new_world.objects);
   out.has_other_objects = !std::ranges::equal(were, old_world.objects, {}, {}, &Object::id);
   if (out.has_other_objects) simulator_.set_objects(new_world.objects, were);

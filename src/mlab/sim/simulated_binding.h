@@ -25,6 +25,7 @@ class SimulatedBinding final : public binding::Binding, private binding::WorldVi
   void percepts(std::span<const binding::Sensing> robots, int worker) override;
   void carry_out(std::span<const percept::Action> actions, double dt) override;
   void poses(std::span<const BodyIndex> bodies, std::span<geom::Pose> out) const override;
+  const binding::RadioLinks* radio() override { return simulator_.radio(); }
   double time() const override { return simulator_.time(); }
   Workers& workers() const override { return simulator_.workers(); }
   const binding::WorldView& view() const override { return *this; }

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <numbers>
 #include <ranges>
 
 #include "mlab/base/angle.h"
@@ -33,26 +32,6 @@ constexpr std::size_t kBytesOfBody = 5 * sizeof(double) + sizeof(Offset) + sizeo
                                      sizeof(percept::ObjectClass) + 2 * sizeof(std::uint8_t);
 /// Nobody goes farther in one cycle [m].
 constexpr double kLongestStep = 1e6;
-/// Nothing is sensed farther away [m]: twice the way across the largest world.
-constexpr double kLongestRange = 6e8;
-
-double usable_range(double range) {
-  return range > 0.0 ? std::min(range, kLongestRange) : 0.0;
-}
-
-double within(double value, double most) {
-  return value >= 0.0 ? std::min(value, most) : 0.0;
-}
-
-BodySpec usable(BodySpec spec) {
-  spec.radius = spec.radius >= 0.0 ? std::min(spec.radius, 1e4) : 0.0;
-  spec.ring.range = usable_range(spec.ring.range);
-  spec.camera.field_of_view = within(spec.camera.field_of_view, 2.0 * std::numbers::pi);
-  spec.camera.max_pan = within(spec.camera.max_pan, std::numbers::pi);
-  spec.ring.arc = spec.ring.arc > 0.0 && spec.ring.arc < 2.0 * std::numbers::pi ? spec.ring.arc : 0.0;
-  spec.odometry_noise = spec.odometry_noise > 0.0 ? std::min(spec.odometry_noise, 1.0) : 0.0;
-  return spec;
-}
 
 class Stopwatch {
  public:
@@ -78,6 +57,7 @@ class Simulator::State {
   Site site;
   std::shared_ptr<const Statics> statics;
   std::shared_ptr<const std::vector<Roamer>> roamers;
+  std::shared_ptr<const std::vector<Outline>> silences;
   Box area;                 ///< where the centres of held bodies may be
   std::vector<Kind> kinds;  ///< of bodies
   double time = 0.0;
@@ -93,6 +73,7 @@ struct Simulator::Parts {
               Site(std::move(world.building)),
               std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls)),
               std::make_shared<const std::vector<Roamer>>(std::move(world.roamers)),
+              std::make_shared<const std::vector<Outline>>(std::move(world.silences)),
               {world.area_low.x + kAreaMargin, world.area_low.y + kAreaMargin,
                world.area_high.x - kAreaMargin, world.area_high.y - kAreaMargin},
               {}} {
@@ -112,6 +93,10 @@ struct Simulator::Parts {
     while (before < asked_now && !asked.compare_exchange_weak(before, asked_now, std::memory_order_relaxed)) {
     }
   }
+  Sensors::Scene scene() const {
+    return {state.bodies,  grid,        *state.statics,  state.objects,  state.kinds,
+            settings.seed, state.cycle, roaming.discs(), *state.silences};
+  }
   std::uint32_t kind_of(const BodySpec& spec);
   void want(const percept::Action& action, std::uint32_t body, double dt);
   bool counts_wheels(std::uint32_t body) const {
@@ -129,6 +114,7 @@ struct Simulator::Parts {
   bool has_odometry = false;            ///< some kind counts its wheels
   std::vector<geom::Pose> departure;    ///< of all bodies, before they move; where has_odometry
   Roaming roaming;
+  Radio radio;
   PointGrid grid;
   std::vector<PointGrid::Item> items;
   std::atomic<float> asked{0.0F};  ///< the farthest that robots were looked for since the grid was built [m]
@@ -352,9 +338,7 @@ void Simulator::sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& 
   out.carried = carried == 0 ? base::ObjectId{} : state.objects.list()[carried - 1].id;
   out.carried_class =
       carried == 0 ? percept::ObjectClass::kUnknown : state.objects.list()[carried - 1].object_class;
-  const Sensors::Scene scene{bodies,        parts_->grid,           *state.statics,
-                             state.objects, parts_->state.kinds,    parts_->settings.seed,
-                             state.cycle,   parts_->roaming.discs()};
+  const Sensors::Scene scene = parts_->scene();
   Sensors sensors(scene, i, buffer);
   using percept::Sensor;
   const bool uses_ring =
@@ -384,6 +368,15 @@ void Simulator::sense_at(BodyIndex body, const geom::Pose& pose, const percept::
   sense(body, needs, buffer, out);
   put(stands, ahead);
   out.pose = pose;
+}
+
+const binding::RadioLinks* Simulator::radio() {
+  const auto is_perfect = [](const Kind& kind) { return kind.spec.radio.is_perfect(); };
+  if (parts_->state.silences->empty() && std::ranges::all_of(parts_->state.kinds, is_perfect)) return nullptr;
+  for (const Kind& kind : parts_->state.kinds) parts_->note_reach(static_cast<float>(kind.spec.radio.range));
+  parts_->refresh();
+  parts_->radio.link(parts_->scene());
+  return &parts_->radio;
 }
 
 void Simulator::step(std::span<const percept::Action> actions, double dt) {
@@ -537,6 +530,10 @@ std::size_t Simulator::remove_obstacles(const std::function<bool(const Disc&)>& 
   const std::size_t count = std::erase_if(all, is_gone);
   if (count > 0) set_obstacles(all);
   return count;
+}
+
+void Simulator::set_silences(std::vector<Outline> silences) {
+  parts_->state.silences = std::make_shared<const std::vector<Outline>>(std::move(silences));
 }
 
 void Simulator::set_building(Building building) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mlab/binding/radio.h"
 #include "mlab/binding/workers.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
@@ -86,15 +87,18 @@ class Simulator {
   // ---- the cycle
 
   /// Fills the fields of `out` that sensing gives: pose, time, obstacles, robots, objects, camera,
-  /// ranges, map, range_limit, carried, carried_class. All others are left alone. Lists live in `buffer`.
-  /// Threads may sense at the same time, each with buffers of its own. Sensing twice gives the same, noise
-  /// included.
+  /// ranges, radio, map, range_limit, carried, carried_class. All others are left alone. Lists live in
+  /// `buffer`. Threads may sense at the same time, each with buffers of its own. Sensing twice gives the
+  /// same, noise included.
   void sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& buffer, percept::Percepts& out) const;
 
   /// What `sense` would give if the body stood elsewhere and knew its place exactly. Nothing has changed
   /// afterwards; meanwhile no other thread may use the simulator.
   void sense_at(BodyIndex body, const geom::Pose& pose, const percept::Needs& needs, SenseBuffer& buffer,
                 percept::Percepts& out) const;
+
+  /// Who hears whom as bodies stand now, until the next call. Null: all that is told arrives.
+  const binding::RadioLinks* radio();
 
   /// One cycle: all bodies move by their actions, as their kinematics and whatever is in the way allow; then
   /// requests (pick up, drop, drop in basket, marks, localize) are carried out in the order of robot ids.
@@ -135,6 +139,8 @@ class Simulator {
   ///                 (it is carried, lies in a basket that stays, was put down elsewhere) remains as it is.
   ///                 May be shorter than `objects`: the rest is new
   void set_objects(std::span<const Object> objects, std::span<const base::ObjectId> were);
+  /// Other zones without radio than before.
+  void set_silences(std::vector<Outline> silences);
   /// Another building than before; doors that stay keep their marks.
   void set_building(Building building);
   /// True where a disc of this radius would touch nothing solid and no body.

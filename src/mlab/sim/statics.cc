@@ -1,5 +1,6 @@
 #include "mlab/sim/statics.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace mlab::sim {
@@ -97,6 +98,18 @@ bool Statics::in_sight(geom::Point a, geom::Point b) const {
         line, [&](std::uint32_t index) { is_free = is_free && !intersects(line, walls_[index].segment); });
   }
   return is_free;
+}
+
+std::uint32_t Statics::walls_between(geom::Point a, geom::Point b, std::vector<std::uint32_t>& met) const {
+  const geom::Segment line{a, b};
+  met.clear();
+  for (const WallGrid& grid : wall_grids_) {
+    grid.visit_line(line, [&](std::uint32_t index) {
+      if (intersects(line, walls_[index].segment)) met.push_back(walls_[index].group);
+    });
+  }
+  std::ranges::sort(met);
+  return static_cast<std::uint32_t>(std::ranges::unique(met).begin() - met.begin());
 }
 
 }  // namespace mlab::sim

@@ -75,6 +75,10 @@ class Statics {
   }
   /// True where no wall has a point in common with the line.
   bool in_sight(geom::Point a, geom::Point b) const;
+  /// How many walls have a point in common with the line: each polyline counts once, however often it is met.
+  /// Edges of areas that only robots keep out of are none.
+  /// @param met  memory for them
+  std::uint32_t walls_between(geom::Point a, geom::Point b, std::vector<std::uint32_t>& met) const;
 
  private:
   std::vector<Disc> discs_;

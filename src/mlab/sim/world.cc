@@ -67,7 +67,11 @@ World world_of(const overlay::Overlay& overlay) {
   }
   for (const auto& [segment, group, is_solid] : overlay::barriers(overlay))
     world.walls.push_back({segment, group, is_solid});
-  for (const overlay::ControlMeasure& measure : overlay.measures) add_to_building(world.building, measure);
+  for (const overlay::ControlMeasure& measure : overlay.measures) {
+    add_to_building(world.building, measure);
+    if (overlay::zone_kind(measure) == overlay::ZoneKind::kNoCommunication)
+      world.silences.push_back(measure.points);
+  }
   std::uint32_t id = 0;
   for (const overlay::WorldObject& object : overlay.objects) {
     Object& added = world.objects.emplace_back();
@@ -80,6 +84,19 @@ World world_of(const overlay::Overlay& overlay) {
   }
   keep_usable(world);
   return world;
+}
+
+bool is_crossed(const geom::Segment& line, geom::Point from) {
+  const auto& [a, b] = line;
+  if ((a.y > from.y) == (b.y > from.y)) return false;
+  return from.x < a.x + (b.x - a.x) * (from.y - a.y) / (b.y - a.y);
+}
+
+bool contains(const Outline& outline, geom::Point point) {
+  bool is_inside = false;
+  for (std::size_t i = 0, before = outline.size() - 1; i < outline.size(); before = i++)
+    is_inside ^= is_crossed({outline[before], outline[i]}, point);
+  return is_inside;
 }
 
 std::vector<base::ObjectId> same_objects(std::span<const Object> before, std::span<const Object> after) {

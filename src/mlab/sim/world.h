@@ -29,6 +29,15 @@ struct Roamer {
   friend bool operator==(const Roamer&, const Roamer&) = default;
 };
 
+/// Whether a ray to the east crosses the line, counted so that a closed edge is crossed an odd number of
+/// times from inside.
+bool is_crossed(const geom::Segment& line, geom::Point from);
+
+/// The corners of an area, one after the other [m].
+using Outline = std::vector<geom::Point>;
+/// Whether a point lies within it, by how often a ray to the east crosses its edge.
+bool contains(const Outline& outline, geom::Point point);
+
 /// What is around, before any robot comes. A plain value.
 struct World {
   /// Lower left and upper right corner of the mission area; a body that starts inside stays kAreaMargin
@@ -40,6 +49,7 @@ struct World {
   std::vector<Wall> walls;  ///< the solid ones first
   std::vector<Object> objects;
   Building building;
+  std::vector<Outline> silences;  ///< zones from where nothing is heard, and where nobody hears
 
   /// No coordinate is ever farther from 0 than this: within it a micrometre still counts [m].
   static constexpr double kFarthest = 1e8;
@@ -47,8 +57,8 @@ struct World {
 
 /// The discs, roamers, walls and objects of an overlay as robots on the ground meet them: OBSTACLE, WALL, the
 /// edges of weather zones; MINEFIELD, which stops nobody; OBJECT, ATTRACTOR, BASKET with their class told by
-/// colour; ROOM, DOOR, HALLWAY as the building. Objects get the ids 1, 2, ... in file order. Coordinates that
-/// are not finite or beyond World::kFarthest are left out.
+/// colour; ROOM, DOOR, HALLWAY as the building; zones without communication. Objects get the ids 1, 2, ... in
+/// file order. Coordinates that are not finite or beyond World::kFarthest are left out.
 World world_of(const overlay::Overlay& overlay);
 
 /// Which of the objects of a changed map are those of the map before: for each of `after` the id of an equal

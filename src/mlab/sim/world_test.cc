@@ -67,7 +67,9 @@ TEST(World, AWeatherZoneIsAClosedWallAndANoFlyZoneConcernsNobodyOnTheGround) {
   overlay.measures.push_back(measure(MeasureKind::kBoundary, "Storm-WeatherZone", line));
   overlay.measures.push_back(measure(MeasureKind::kBoundary, "NoFlyZone1", line));
   overlay.measures.push_back(measure(MeasureKind::kBoundary, "NoCommZone", line));
-  EXPECT_EQ(world_of(overlay).walls.size(), 3U);
+  const World world = world_of(overlay);
+  EXPECT_EQ(world.walls.size(), 3U);
+  EXPECT_EQ(world.silences, (std::vector<Outline>{line}));
 }
 
 TEST(World, ObjectsHaveAClassByTheirColour) {

@@ -193,11 +193,7 @@ std::string describe_component(const DescribeOptions& options) {
   return std::string(behavior->name);
 }
 
-void refuse_unknown(const std::string& name, const std::vector<HistoricMeaning>& meanings) {
-  if (!meanings.empty()) {
-    fmt::print(stderr, "mlab describe: the library doesn't have `{}`, {}\n", name, meanings.front().reason);
-    return;
-  }
+void refuse_unknown(const std::string& name) {
   std::vector<std::string> names = robot::component_library().names();
   for (const std::string& declared : declaration_names()) names.push_back(declared);
   std::string nearest = text::nearest_name(name, names);
@@ -217,7 +213,7 @@ int describe(const DescribeOptions& options) {
   std::string shown = describe_component(options);
   const bool is_known = !shown.empty();
   for (const HistoricMeaning& one : meanings) {
-    if (one.ours.empty() || one.ours == shown) continue;
+    if (one.ours == shown) continue;
     if (!is_known) {
       shown = describe_component({one.ours, options.format});
     } else if (options.format == "text") {
@@ -226,7 +222,7 @@ int describe(const DescribeOptions& options) {
     }
   }
   if (!shown.empty()) return kDone;
-  refuse_unknown(options.name, meanings);
+  refuse_unknown(options.name);
   return kBadInput;
 }
 

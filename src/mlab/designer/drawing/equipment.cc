@@ -25,6 +25,7 @@ constexpr BodyPart kParts[] = {
     {"drive", "Drive", "How it moves, and how fast at most."},
     {"ring", "Range sensors", "A ring or a scanner that measures distances. With 0 of them it has none."},
     {"camera", "Camera", "What sees objects: how far around, and how it turns."},
+    {"radio", "Radio", "How far the robot is heard by others, and how much of it arrives."},
 };
 
 bool names_parameter(const cdl::Expression& expression, const std::vector<cdl::Parameter>& parameters) {

@@ -30,7 +30,8 @@ enum class TestPercept : std::uint8_t {
   kDoor,
   kHallway,
   kPlace,
-  kTouch
+  kTouch,
+  kRadio
 };
 
 struct TestInput {
@@ -124,6 +125,11 @@ inline constexpr TestInput kTestPlace[] = {{"name", "text", "", "as `place(\"Gat
 
 inline constexpr TestInput kTestTouch[] = {
     {"direction", "angle", "", "of what is touched, counter-clockwise from ahead"}};
+inline constexpr TestInput kTestRadio[] = {
+    {"at", "Point", "", "where who is heard says that he is"},
+    {"strength", "double", "", "of his signal, in percent of what it is within 1 m", 0.0, 100.0},
+    {"robot", "count", "2", "his number", 0.0, kMostTestIds},
+    {"mate", "flag", "false", "whether he belongs to the same unit"}};
 
 /// By their numbers.
 inline constexpr std::array kTestPercepts = {
@@ -150,6 +156,7 @@ inline constexpr std::array kTestPercepts = {
     TestPerceptInfo{TestPercept::kHallway, "hallway", true, kTestHallway, "a hallway of the building"},
     TestPerceptInfo{TestPercept::kPlace, "place", true, kTestPlace, "where a named place lies"},
     TestPerceptInfo{TestPercept::kTouch, "touch", false, kTestTouch, "what the body touches"},
+    TestPerceptInfo{TestPercept::kRadio, "radio", true, kTestRadio, "another robot whose radio is heard"},
 };
 static_assert(base::has_a_row_for_each<kTestPercepts, &TestPerceptInfo::percept>());
 

@@ -211,10 +211,23 @@ std::optional<double> whole(std::string_view text) {
     std::string_view word;
     double value;
   };
-  static constexpr NamedNumber kNumbers[] = {
-      {"right", 0},   {"left", 1},     {"both", 2},     {"bothleftandright", 2},
-      {"facing", 3},  {"opposite", 4}, {"danger", 'd'}, {"safe", 's'},
-      {"abort", 'a'}, {"true", 1},     {"false", 0}};
+  static constexpr NamedNumber kNumbers[] = {{"right", 0},
+                                             {"left", 1},
+                                             {"both", 2},
+                                             {"bothleftandright", 2},
+                                             {"facing", 3},
+                                             {"opposite", 4},
+                                             {"danger", 'd'},
+                                             {"safe", 's'},
+                                             {"abort", 'a'},
+                                             {"true", 1},
+                                             {"false", 0},
+                                             {"commrecovery", 0},
+                                             {"commpreserve", 1},
+                                             {"commpreservation", 1},
+                                             {"internalizedplan", 2},
+                                             {"average", 3},
+                                             {"greedy", 4}};
   if (text.size() == 3 && text.front() == '\'' && text.back() == '\'') return static_cast<double>(text[1]);
   // A number in quotes was a text that a node turned into a number.
   if (const std::optional<std::string> quoted = unquoted(text); quoted && !unquoted(*quoted))

@@ -193,7 +193,6 @@ TypedDraft Converter::make_library(std::string_view name, const Level* outer, st
   }
   std::string type(wanted);
   if (row != nullptr && !row->type.empty()) type = row->type;
-  if (row != nullptr && !row->reason.empty()) holes_.explain(std::string(name), std::string(row->reason));
   return make_hole(std::string(name), type.empty() ? "Vector" : type, std::move(given), place);
 }
 

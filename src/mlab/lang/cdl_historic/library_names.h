@@ -26,10 +26,9 @@ struct LibraryPort {
 struct LibraryName {
   std::string_view historic;
   unsigned architectures = kAnyArchitecture;
-  std::string_view ours;  ///< names with `|` between them, as above; empty: there is none, see `reason`
+  std::string_view ours;  ///< names with `|` between them, as above
   std::vector<LibraryPort> ports;
-  std::string_view type;    ///< of flow's types
-  std::string_view reason;  ///< why there is none
+  std::string_view type;  ///< of flow's types
 };
 
 /// All names, for the tests.

@@ -84,6 +84,17 @@ void encode(std::span<const percept::RangeReading> ranges, wire::Ranges& out) {
   }
 }
 
+void encode(std::span<const percept::RadioContact> radio, wire::Radio& out) {
+  for (const auto& [id, center, strength, is_unit_mate] : radio) {
+    out.add_id(id.value);
+    out.add_x(center.x);
+    out.add_y(center.y);
+    out.add_z(center.z);
+    out.add_strength(strength);
+    out.add_is_unit_mate(is_unit_mate);
+  }
+}
+
 void encode(const percept::Camera& camera, wire::Camera& out) {
   const auto& [pan, field_of_view] = camera;
   out.set_pan(pan);
@@ -237,6 +248,9 @@ constexpr std::array kNeedFields = {
     NeedField{percept::Sensor::kGround,
               [](const wire::Needs& message) { return message.ground() ? percept::kOwnReach : 0.0; },
               [](double reach, wire::Needs& message) { message.set_ground(reach > 0.0); }},
+    NeedField{percept::Sensor::kRadio,
+              [](const wire::Needs& message) { return message.radio() ? percept::kOwnReach : 0.0; },
+              [](double reach, wire::Needs& message) { message.set_radio(reach > 0.0); }},
 };
 static_assert(base::has_a_row_for_each<kNeedFields, &NeedField::sensor>());
 
@@ -263,7 +277,7 @@ percept::Needs needs_of(const wire::Needs& message) {
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, touch,
                map, carried, carried_class, order, unit, joystick, notifications, shared_places, claims,
-               contracts, ground] = percepts;
+               contracts, ground, radio] = percepts;
   out.Clear();
   out.set_id(id.value);
   encode(pose, *out.mutable_pose());
@@ -289,6 +303,7 @@ void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   if (!claims.empty()) encode(claims, *out.mutable_claims());
   if (!contracts.empty()) encode(contracts, *out.mutable_contracts());
   if (is_told(ground)) encode(ground, *out.mutable_ground());
+  if (!radio.empty()) encode(radio, *out.mutable_radio());
 }
 
 std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts& message) {
@@ -344,6 +359,15 @@ std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts
   ranges_.clear();
   for (int i = 0; i < ranges.angle_size(); ++i)
     ranges_.push_back({ranges.angle(i), ranges.distance(i), ranges.hit(i)});
+
+  const wire::Radio& radio = message.radio();
+  if (!are(radio.id_size(), radio.x_size(), radio.y_size(), radio.z_size(), radio.strength_size(),
+           radio.is_unit_mate_size()))
+    return "the columns of the radio are not equally long";
+  radio_.clear();
+  for (int i = 0; i < radio.id_size(); ++i)
+    radio_.push_back(
+        {{radio.id(i)}, {radio.x(i), radio.y(i), radio.z(i)}, radio.strength(i), radio.is_unit_mate(i)});
   return std::nullopt;
 }
 
@@ -495,6 +519,7 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
   percepts_.shared_places = shared_places_;
   percepts_.claims = claims_;
   percepts_.contracts = contracts_;
+  percepts_.radio = radio_;
   return std::nullopt;
 }
 

@@ -47,6 +47,7 @@ class DecodedPercepts {
   std::vector<percept::RobotReading> robots_;
   std::vector<percept::ObjectReading> objects_;
   std::vector<percept::RangeReading> ranges_;
+  std::vector<percept::RadioContact> radio_;
   std::vector<geom::Point> route_;
   std::vector<std::uint64_t> notifications_;
   std::vector<percept::SharedPlace> shared_places_;

@@ -84,6 +84,8 @@ TEST(PerceptsWire, RefusesColumnsOfDifferentLengths) {
             "the columns of the objects are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_ranges()->add_hit(true); }),
             "the columns of the ranges are not equally long");
+  EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_radio()->add_strength(1.0); }),
+            "the columns of the radio are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_order()->mutable_route()->add_y(1.0); }),
             "the columns of the route are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_shared_places()->add_time(1.0); }),

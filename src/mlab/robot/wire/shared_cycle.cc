@@ -98,7 +98,7 @@ std::uint64_t shared_layout() {
   for (const std::uint64_t part :
        {sizeof(Control), sizeof(PlaceHeader), sizeof(Head), sizeof(percept::Door), sizeof(percept::Hallway),
         sizeof(percept::SharedPlace), sizeof(percept::Claim), sizeof(percept::Contract),
-        sizeof(percept::Request), sizeof(flow::Interventions)})
+        sizeof(percept::RadioContact), sizeof(percept::Request), sizeof(flow::Interventions)})
     key = base::combine_bits(key, part);
   return key;
 }

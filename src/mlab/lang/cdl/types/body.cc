@@ -36,6 +36,9 @@ constexpr BodyProperty kProperties[] = {
     {"camera_max_pan", "camera", "deg", "180 deg", 0.0, 180.0,
      "how far the camera turns to each side; 180: round without end"},
     {"camera_pan_rate", "camera", "deg/s", "0 deg/s", 0.0, kLarge, "how fast the camera turns; 0: no limit"},
+    {"radio_range", "radio", "m", "0 m", 0.0, kLarge,
+     "how far its radio is heard, where no wall is; 0: everywhere"},
+    {"radio_loss", "radio", "", "0", 0.0, 1.0, "how often what is told does not arrive, as a share"},
 };
 
 }  // namespace

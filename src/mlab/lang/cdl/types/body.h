@@ -14,7 +14,7 @@ namespace mlab::cdl {
 /// One number that the `body` of a class of robots may say, besides its drive.
 struct BodyProperty {
   std::string_view name;
-  std::string_view part;     ///< what of the body it describes: `body`, `drive`, `ring` or `camera`
+  std::string_view part;     ///< what of the body it describes: `body`, `drive`, `ring`, `camera` or `radio`
   std::string_view unit;     ///< in which people set it: `m`, `deg`; empty: a plain number
   std::string_view initial;  ///< of a body that does not say it, in CDL
   double min = 0.0;          ///< [unit]
