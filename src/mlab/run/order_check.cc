@@ -63,8 +63,8 @@ class OrderCheck {
                           "after long waiting",
                           text::shown(plan_.types[type].name)))
           .hints = {
-          "a program says so by ReportStatus, ReportFlags, ReportDone or ReportStep; robots that act by "
-          "themselves "
+          "a program says so by ReportArrival, ReportStatus, ReportFlags, ReportDone or ReportStep; robots "
+          "that act by themselves "
           "are only started, and run with `mlab run --headless --for SECONDS`"};
     }
   }

@@ -19,6 +19,8 @@ constexpr const char* kCart =
 
 const std::map<std::string, std::string> kFiles = {
     {"wander.cdl", std::string(kCart) + "robot R is Cart { movement = MoveAhead(); }"},
+    {"sent.cdl",
+     std::string(kCart) + "robot R is Cart { movement = ReportArrival(goal = DetectGoal(GetOrderGoal())); }"},
     {"told.cdl", std::string(kCart) + "robot R is Cart { movement = ReportDone(); }"},
     {"guard.cdl", std::string(kCart) + "robot R is Cart { movement = sequence { start Look: Stand();\n"
                                        "  when IsAnyObject(FilterObjectsByClass(DetectObjects(range = 50 m), "
@@ -76,6 +78,7 @@ std::string kinds_of(const std::string& program, bool has_order) {
 TEST(OrderCheck, WarnsOfOrdersThatAProgramNeverReportsOn) {
   EXPECT_EQ(kinds_of("wander.cdl", true), "never-reports ");
   EXPECT_EQ(kinds_of("told.cdl", true), "");
+  EXPECT_EQ(kinds_of("sent.cdl", true), "");
   EXPECT_EQ(kinds_of("robot", true), "");
 }
 

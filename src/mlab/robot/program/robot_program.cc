@@ -53,7 +53,8 @@ bool has_one_of(const flow::Network& network, std::span<const std::string_view> 
 
 // What a program may say to the executive and to the other robots of its unit.
 RobotProgram::Tells tells_of(const flow::Network& network) {
-  constexpr std::string_view kTellers[] = {"ReportStatus", "ReportFlags", "ReportDone", "ReportStep"};
+  constexpr std::string_view kTellers[] = {"ReportStatus", "ReportFlags", "ReportDone", "ReportStep",
+                                           "ReportArrival"};
   constexpr std::string_view kSharers[] = {"NextErrand", "TellOfErrand", "BidOnTask"};
   return {.reports = has_one_of(network, kTellers), .shares = has_one_of(network, kSharers)};
 }
