@@ -82,7 +82,14 @@ class Planned : public testing::Test {
       clearing.changes.push_back(overlay::RemoveObstacle{*cleared_});
       settings.environment.events.push_back(clearing);
     }
-    run_ = simulated::make_run(mission, {}, settings, sink);
+    text::Files files;
+    files.is_file = [](const std::string& path) { return path == "mover.cdl"; };
+    files.read = [this](const std::string& path) -> text::Result<text::SourcePtr> {
+      return std::make_shared<const text::Source>(path, mover_);
+    };
+    robot::ProgramSources sources;
+    sources.files = &files;
+    run_ = simulated::make_run(mission, sources, settings, sink);
     ASSERT_NE(run_, nullptr) << text::render(sink);
     run_->set_observer([this](const mission::Effect& effect) {
       if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) told_ += told->text + "\n";
@@ -108,6 +115,7 @@ class Planned : public testing::Test {
 
   std::unique_ptr<run::MissionRun> run_;
   std::string told_;
+  std::string mover_;                   ///< a configuration that missions may name
   std::optional<geom::Point> cleared_;  ///< the obstacle there goes after a minute
 };
 
@@ -120,6 +128,34 @@ TEST_F(Planned, ABowOfRocksHoldsOnlyWhoReacts) {
   EXPECT_TRUE(go()) << told_;
   EXPECT_EQ(contacts(), 0U);
   EXPECT_EQ(told_.find("Trap: "), std::string::npos) << told_;
+}
+
+// The robots of a configuration, by what the library has for going.
+TEST_F(Planned, SoDoRobotsThatGoByTheLibrary) {
+  std::string rocks;
+  for (const Rock& rock : bow())
+    rocks += fmt::format("OBSTACLE {} {} {}\n", rock.center.x, rock.center.y, rock.radius);
+  const auto arrives = [&](const std::string& going, const std::string& known,
+                           const std::vector<Rock>& unknown) {
+    mover_ =
+        "class Cart { body { radius = 0.3 m; } sensor eyes: DetectObstacles() binds sense_obstacles; "
+        "actuator base: "
+        "Drive(base_velocity = 4 m/s, max_velocity = 4 m/s) binds movement; }\nrobot Mover is Cart { "
+        "movement = " +
+        going + "; }\n";
+    make_run("MISSION-AREA 600 400\n" + known +
+                 "NEW-ROBOT mover \"mover.cdl\"\nUNIT <team> mover\n"
+                 "COMMAND LIST:\n0. UNIT team START 150 200\n1. UNIT team MOVETO 450 200\n",
+             unknown);
+    return go() && contacts() == 0;
+  };
+  const std::string kGo =
+      "cooperate {{ 1: GoTo(goal = GetOrderGoal(), avoid_obstacle_gain = 1{}); "
+      "1: ReportArrival(goal = DetectGoal(GetOrderGoal()), success_radius = 1 m); }}";
+  EXPECT_TRUE(arrives(fmt::format(fmt::runtime(kGo), ""), rocks, {})) << told_;
+  EXPECT_TRUE(arrives(fmt::format(fmt::runtime(kGo), ""), "", bow())) << "nobody knew of it\n" << told_;
+  EXPECT_FALSE(arrives(fmt::format(fmt::runtime(kGo), ", plans_way = false"), rocks, {}));
+  EXPECT_TRUE(arrives("FollowCommands()", rocks, {})) << told_;
 }
 
 TEST_F(Planned, TheMissionSaysWhoReactsUnlessATypeDoes) {
