@@ -359,8 +359,10 @@ std::optional<std::string> DecodedPercepts::decode_readings(const wire::Percepts
   ranges_.clear();
   for (int i = 0; i < ranges.angle_size(); ++i)
     ranges_.push_back({ranges.angle(i), ranges.distance(i), ranges.hit(i)});
+  return std::nullopt;
+}
 
-  const wire::Radio& radio = message.radio();
+std::optional<std::string> DecodedPercepts::decode_radio(const wire::Radio& radio) {
   if (!are(radio.id_size(), radio.x_size(), radio.y_size(), radio.z_size(), radio.strength_size(),
            radio.is_unit_mate_size()))
     return "the columns of the radio are not equally long";
@@ -481,6 +483,7 @@ std::optional<std::string> DecodedPercepts::decode_order(const wire::Order& mess
 
 std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message) {
   if (auto problem = decode_readings(message)) return problem;
+  if (auto problem = decode_radio(message.radio())) return problem;
   if (auto problem = decode_order(message.order())) return problem;
   if (auto problem = decode_messages(message)) return problem;
   if (auto problem = decode_map(message.map())) return problem;

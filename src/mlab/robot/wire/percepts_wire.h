@@ -37,6 +37,7 @@ class DecodedPercepts {
 
  private:
   std::optional<std::string> decode_readings(const wire::Percepts& message);
+  std::optional<std::string> decode_radio(const wire::Radio& radio);
   std::optional<std::string> decode_order(const wire::Order& message);
   std::optional<std::string> decode_messages(const wire::Percepts& message);
   std::optional<std::string> decode_ground(const wire::Ground& message);
