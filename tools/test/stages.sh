@@ -11,7 +11,7 @@ seed_of_commit() {
 }
 export RC_PARAMS="seed=$(seed_of_commit) ${RC_PARAMS-}"
 # Sanitizers look at what is done, which the first examples of a property have done, too; all of them run in `unit`.
-fewer_examples="$RC_PARAMS max_success=40"
+fewer_examples="$RC_PARAMS max_success=25"
 
 run_ctest() {
   local folder=$1
