@@ -60,6 +60,7 @@ add_custom_target(fuzzers)
 # Whose tests run robots with procedures of their own, in the program that hosts those.
 set(MLAB_HOSTING_MODULES robot robot_build simulated assist lsp console designer)
 
+# For the library mlab_NAME: optimises it with sanitizers where NAME is among those.
 function(mlab_optimise_if_busy name)
   if(MLAB_SANITIZE AND name IN_LIST MLAB_BUSY_MODULES)
     target_compile_options(mlab_${name} PRIVATE $<$<CONFIG:Debug>:-O1>)

@@ -9,20 +9,19 @@
 namespace mlab::binding {
 
 /// What a wall takes from a signal [%].
-/// @source  COST 231 (1999), "Digital Mobile Radio Towards Future Generation Systems", section 4.7: light
-/// walls take
-///          some 3.4 dB, others 6.9; here 5 dB of the 50 between a signal at 1 m and the faintest that is
-///          heard
+/// @source  COST 231 (1999), "Digital Mobile Radio Towards Future Generation Systems", section 4.7:
+///          light walls take some 3.4 dB, others 6.9; here 5 dB of the 50 between a signal at 1 m and the
+///          faintest that is heard
 inline constexpr double kWallLoss = 10.0;
 
 /// How strong a signal is, of what it is within 1 m [%]; 0: it is not heard. It falls with the logarithm of
 /// the distance (so evenly in decibels), and by the same for each wall in between.
 /// @param distance  [m], >= 0
 /// @param range     of the weaker of the two radios [m]; 0: endless
-/// @source  Rappaport 2002, "Wireless Communications", section 4.9 (log-distance path loss); Motley and
-/// Keenan 1988,
-///          "Personal communication radio coverage in buildings at 900 MHz and 1700 MHz", Electronics Letters
-///          24(12)
+/// @param walls     in between
+/// @source  Rappaport 2002, "Wireless Communications", section 4.9 (log-distance path loss);
+///          Motley and Keenan 1988, "Personal communication radio coverage in buildings at 900 MHz and
+///          1700 MHz", Electronics Letters 24(12)
 inline double signal_strength(double distance, double range, std::uint32_t walls) {
   if (range == 0.0) return 100.0;
   if (!(distance < range)) return 0.0;

@@ -69,7 +69,10 @@ void Messages::resolve(std::vector<FleetRobot>& robots, double time,
   if (!told_.empty()) {
     const binding::RadioLinks* const links = radio();
     limit(robots, links != nullptr);
-    links == nullptr ? tell(robots, time) : tell(robots, time, *links);
+    if (links == nullptr)
+      tell(robots, time);
+    else
+      tell(robots, time, *links);
   }
   settle_claims();
   contracts_.resolve(robots, time);
@@ -117,14 +120,15 @@ void Messages::tell(std::vector<FleetRobot>& robots, double time) {
   deliver(robots);
 }
 
-// Who tells something knows it himself. Who has no body hears nobody.
+// Who tells something knows it himself. Who has no body hears nobody, and nobody hears him.
 void Messages::tell(std::vector<FleetRobot>& robots, double time, const binding::RadioLinks& radio) {
   nets_.clear();
   for (const FleetRobot& robot : robots)
     nets_.push_back(robot.body == binding::kNoBody ? binding::kNoBody.value : radio.net_of(robot.body));
   broadcasts_.clear();
   for (const auto& [from, request] : told_) {
-    FleetRobot& teller = robots[from];
+    const FleetRobot& teller = robots[from];
+    if (teller.body == binding::kNoBody) continue;
     const bool is_place = request.kind == Request::Kind::kSharePlace;
     const bool is_to_all = request.audience == Audience::kAll;
     const SharedPlace place = place_in(request, teller.id, time);

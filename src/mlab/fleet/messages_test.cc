@@ -264,6 +264,9 @@ TEST(Radio, WhoHasNoBodyHearsNobody) {
   t.ask(1, notification("all", Audience::kAll)).ask(1, at_place({5, 6})).hear();
   EXPECT_EQ(t.hearers("all"), (std::vector<int>{1}));
   EXPECT_TRUE(t.places_of(2).empty());
+  t.ask(2, notification("gone", Audience::kAll)).ask(2, at_place({1, 2})).hear();
+  EXPECT_TRUE(t.hearers("gone").empty()) << "nor does anybody hear him";
+  EXPECT_EQ(t.places_of(1), (std::vector<geom::Point>{{5, 6}}));
 }
 
 TEST(Radio, OfManyTellersTheOldestIsForgotten) {

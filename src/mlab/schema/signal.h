@@ -21,9 +21,9 @@ enum class SignalMethod : std::uint8_t { kRecovery, kPreservation, kPlan, kAvera
 
 /// What a robot remembers of its radio, and what that advises. One for each node that asks.
 /// @source  Ulam and Arkin 2004, "When Good Communication Go Bad: Communications Recovery for Multi-Robot
-/// Teams", ICRA
-///          (going back along the own way, then to a teammate); Powers and Balch 2004, "Value-Based
-///          Communication Preservation for Mobile Robots", DARS (signals as part of the choice of a motion);
+///          Teams", ICRA (going back along the own way, then to a teammate); Powers and Balch 2004,
+///          "Value-Based Communication Preservation for Mobile Robots", DARS (signals as part of the
+///          choice of a motion);
 ///          Wagner and Arkin 2004, "Multi-Robot Communication-Sensitive Reconnaissance", ICRA (plans agreed
 ///          on beforehand)
 class SignalMemory {
