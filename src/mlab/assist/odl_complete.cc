@@ -68,8 +68,9 @@ class OverlayCompleter {
       object();
       return;
     }
-    if (rule.form == odl::Form::kObstacle) {
-      obstacle(words);
+    if (rule.form == odl::Form::kMoving) {
+      if (words < 2) out_.add("UTM", "keyword", "LAT degrees LON degrees");
+      if (words >= 2 * rule.min_points + rule.min_numbers) route();
       return;
     }
     const bool is_named =
@@ -121,17 +122,18 @@ class OverlayCompleter {
     statements();
   }
 
-  void obstacle(std::size_t words) {
+  // Behind all else that the statement needs.
+  void route() {
     if (tokens_.back().keyword == Keyword::kSpeed) return;  // a number
-    out_.add("UTM", "keyword", "LAT degrees LON degrees");
-    const bool has_route = has(Keyword::kRoute);
-    if (has_route && !has(Keyword::kSpeed)) {
+    if (!has(Keyword::kRoute)) {
+      out_.add("ROUTE", "keyword", "points");
+      statements();
+    } else if (!has(Keyword::kSpeed)) {
+      out_.add("UTM", "keyword", "LAT degrees LON degrees");
       out_.add("SPEED", "keyword", "m/s");
-      return;
+    } else {
+      statements();
     }
-    if (words < 3) return;
-    if (!has_route) out_.add("ROUTE", "keyword", "points");
-    statements();
   }
 
   void object() {
@@ -142,10 +144,10 @@ class OverlayCompleter {
         out_.add(std::string(one.color_word), "color", "");
     } else if (!has_style) {
       out_.add("MOVABLE", "keyword", "can be carried");
-      out_.add("FIXED", "keyword", "stays where it is");
+      out_.add("FIXED", "keyword", "can't be carried");
       out_.add("CONTAINER", "keyword", "holds things");
     } else {
-      statements();
+      route();
     }
   }
 

@@ -6,6 +6,16 @@
 #include <utility>
 
 namespace mlab::overlay {
+namespace {
+
+template <class Thing>
+Course course_from(const Thing& thing) {
+  std::vector<geom::Point> points{thing.center};
+  points.insert(points.end(), thing.route.begin(), thing.route.end());
+  return {std::move(points), thing.speed};
+}
+
+}  // namespace
 
 Course::Course(std::vector<geom::Point> points, double speed) : points_(std::move(points)), speed_(speed) {
   double along = 0.0;
@@ -32,9 +42,10 @@ Course::Moment Course::at(double time) const {
 }
 
 Course course_of(const ObstacleDisc& obstacle) {
-  std::vector<geom::Point> points{obstacle.center};
-  points.insert(points.end(), obstacle.route.begin(), obstacle.route.end());
-  return {std::move(points), obstacle.speed};
+  return course_from(obstacle);
+}
+Course course_of(const WorldObject& object) {
+  return course_from(object);
 }
 
 double length_of(std::span<const geom::Point> points) {

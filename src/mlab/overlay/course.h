@@ -35,8 +35,9 @@ class Course {
   double speed_;
 };
 
-/// The course of an obstacle that moves, from its centre on.
+/// The course of what moves on the map, from its centre on.
 Course course_of(const ObstacleDisc& obstacle);
+Course course_of(const WorldObject& object);
 
 /// Of a polyline [m].
 double length_of(std::span<const geom::Point> points);

@@ -50,6 +50,11 @@ struct WorldObject {
   ObjectStyle style = ObjectStyle::kFixed;
   std::string color;
   text::Place place;
+  /// As of an obstacle; it goes there until somebody takes it up, and stays where that one puts it.
+  std::vector<geom::Point> route = {};
+  double speed = 0.0;  ///< [m/s], > 0 where it moves
+
+  bool is_moving() const { return !route.empty(); }
 };
 
 /// A BOUNDARY whose name makes it a zone.

@@ -1,6 +1,7 @@
 #include "mlab/sim/objects.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mlab::sim {
 namespace {
@@ -16,6 +17,10 @@ bool is_in_sight(const Object& object) {
 
 double edge_distance(const Bodies& bodies, std::uint32_t body, const Object& object) {
   return distance(bodies.position(body), object.center) - bodies.radius[body] - object.radius;
+}
+
+Objects::Objects(std::vector<Object> objects, std::span<const Travel> travels) : list_(std::move(objects)) {
+  send_off(travels);
 }
 
 Object* Objects::find(base::ObjectId id) {
@@ -77,7 +82,10 @@ void Objects::pick_up(const Request& request, Bodies& bodies, std::uint32_t body
   if (!(edge_distance(bodies, body, *object) <= request.reach)) return;
   object->carrier = bodies.robot[body];
   object->center = bodies.position(body);
-  bodies.carried[body] = static_cast<std::uint32_t>(object - list_.data()) + 1;
+  const auto index = static_cast<std::uint32_t>(object - list_.data());
+  if (std::erase_if(travellers_, [&](const Traveller& one) { return one.object == index; }) > 0)
+    taken_.push_back(object->id);
+  bodies.carried[body] = index + 1;
   is_stale_ = true;
 }
 
@@ -123,7 +131,30 @@ void Objects::follow(const Bodies& bodies) {
   }
 }
 
-void Objects::replace(std::vector<Object> objects, std::span<const base::ObjectId> were, Bodies& bodies) {
+void Objects::travel(double time) {
+  for (const Traveller& one : travellers_) {
+    Object& object = list_[one.object];
+    object.center = one.course->at(time).place;
+    if (object.style == ObjectStyle::kContainer) {
+      for (Object& other : list_) {
+        if (other.basket == object.id) other.center = object.center;
+      }
+    }
+    is_stale_ = true;
+  }
+}
+
+void Objects::send_off(std::span<const Travel> travels) {
+  travellers_.clear();
+  for (const Travel& one : travels) {
+    const Object* const object = find(one.object);
+    const bool stays = object == nullptr || std::ranges::find(taken_, one.object) != taken_.end();
+    if (!stays) travellers_.push_back({static_cast<std::uint32_t>(object - list_.data()), one.course});
+  }
+}
+
+void Objects::replace(std::vector<Object> objects, std::span<const Travel> travels,
+                      std::span<const base::ObjectId> were, Bodies& bodies) {
   const auto index_of = [&](base::ObjectId was) {
     const auto found = was.value == 0 ? were.end() : std::ranges::find(were, was);
     return static_cast<std::size_t>(found - were.begin());
@@ -146,7 +177,13 @@ void Objects::replace(std::vector<Object> objects, std::span<const base::ObjectI
     carried =
         now < objects.size() && objects[now].carrier.value != 0 ? static_cast<std::uint32_t>(now + 1) : 0;
   }
+  std::vector<base::ObjectId> taken;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (std::ranges::find(taken_, were[i]) != taken_.end()) taken.push_back(objects[i].id);
+  }
   list_ = std::move(objects);
+  taken_ = std::move(taken);
+  send_off(travels);
   is_stale_ = true;
 }
 

@@ -132,7 +132,8 @@ binding::MapChange SimulatedBinding::change_map(const overlay::Overlay& before,
   simulator_.set_silences(std::move(new_world.silences));
   const std::vector<base::ObjectId> were = same_objects(old_world.objects, new_world.objects);
   out.has_other_objects = !std::ranges::equal(were, old_world.objects, {}, {}, &Object::id);
-  if (out.has_other_objects) simulator_.set_objects(new_world.objects, were);
+  if (out.has_other_objects || old_world.travels != new_world.travels)
+    simulator_.set_objects(new_world.objects, were, new_world.travels);
   return out;
 }
 

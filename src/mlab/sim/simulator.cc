@@ -69,7 +69,7 @@ struct Simulator::Parts {
       : settings(chosen),
         workers(chosen.threads),
         state{{},
-              Objects(std::move(world.objects)),
+              Objects(std::move(world.objects), world.travels),
               Site(std::move(world.building)),
               std::make_shared<const Statics>(std::move(world.discs), std::move(world.walls)),
               std::make_shared<const std::vector<Roamer>>(std::move(world.roamers)),
@@ -408,6 +408,7 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   p.times.contact += watch.lap();
 
   p.state.objects.follow(bodies);
+  p.state.objects.travel(until);
   if (p.has_odometry) p.count_wheels();
   if (has_requests) {
     p.by_robot.resize(bodies.count());
@@ -495,7 +496,8 @@ std::vector<Placement> Simulator::set_walls(std::span<const Wall> walls) {
   return parts_->replace_statics({discs().begin(), discs().end()}, {walls.begin(), walls.end()});
 }
 
-void Simulator::set_objects(std::span<const Object> objects, std::span<const base::ObjectId> were) {
+void Simulator::set_objects(std::span<const Object> objects, std::span<const base::ObjectId> were,
+                            std::span<const Travel> travels) {
   World world;
   std::vector<base::ObjectId> kept;
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -504,8 +506,10 @@ void Simulator::set_objects(std::span<const Object> objects, std::span<const bas
     if (!world.objects.empty()) kept.push_back(i < were.size() ? were[i] : base::ObjectId{});
   }
   world.objects.assign(objects.begin(), objects.end());
+  world.travels.assign(travels.begin(), travels.end());
   keep_usable(world);
-  parts_->state.objects.replace(std::move(world.objects), kept, parts_->state.bodies);
+  parts_->state.objects.replace(std::move(world.objects), world.travels, kept, parts_->state.bodies);
+  parts_->state.objects.travel(parts_->state.time);
   parts_->is_stale = true;
 }
 

@@ -138,7 +138,9 @@ class Simulator {
   /// that stays
   ///                 (it is carried, lies in a basket that stays, was put down elsewhere) remains as it is.
   ///                 May be shorter than `objects`: the rest is new
-  void set_objects(std::span<const Object> objects, std::span<const base::ObjectId> were);
+  /// @param travels  of some of them; one that somebody took up before stays where that one put it
+  void set_objects(std::span<const Object> objects, std::span<const base::ObjectId> were,
+                   std::span<const Travel> travels = {});
   /// Other zones without radio than before.
   void set_silences(std::vector<Outline> silences);
   /// Another building than before; doors that stay keep their marks.

@@ -402,6 +402,67 @@ TEST(Objects, InABasketAreCountedAndOutOfSight) {
   EXPECT_EQ(simulator.carried(body).value, 0U);
 }
 
+Travel travel(std::uint32_t id, std::vector<Point> points, double speed) {
+  return {{id}, std::make_shared<const overlay::Course>(std::move(points), speed)};
+}
+
+TEST(Objects, TravelUntilSomebodyTakesThem) {
+  World world;
+  world.objects = {object(1, {0, 0.3}, ObjectStyle::kMovable), object(2, {5, 0}, ObjectStyle::kContainer),
+                   object(3, {9, 9}, ObjectStyle::kFixed)};
+  world.travels = {travel(1, {{0, 0.3}, {10, 0.3}}, 1.0), travel(2, {{5, 0}, {5, 8}}, 2.0),
+                   travel(3, {{9, 9}, {9, NAN}}, 2.0), travel(7, {{9, 9}, {9, 0}}, 2.0)};
+  Simulator simulator(world);
+  const BodyIndex body = add(simulator, {{1, 0}, 0.0}, 1);
+  std::vector<Action> actions(1);
+  for (int i = 0; i < 10; ++i) simulator.step(actions, 0.1);
+  EXPECT_NEAR(simulator.objects()[0].center.x, 1.0, 1e-9);
+  EXPECT_NEAR(simulator.objects()[1].center.y, 2.0, 1e-9);
+  EXPECT_EQ(simulator.objects()[2].center, (Point{9, 9})) << "its course is none";
+  const auto snapshot = simulator.snapshot();
+
+  actions[0].ask({.kind = Request::Kind::kPickUp, .object = {1}, .reach = 1.0});
+  simulator.step(actions, 0.1);
+  ASSERT_EQ(simulator.carried(body).value, 1U);
+  actions[0] = {};
+  actions[0].ask({.kind = Request::Kind::kDrop, .object = {}, .reach = 0.0});
+  simulator.step(actions, 0.1);
+  ASSERT_EQ(simulator.carried(body).value, 0U);
+  actions[0] = {};
+  for (int i = 0; i < 10; ++i) simulator.step(actions, 0.1);
+  EXPECT_EQ(simulator.objects()[0].center, simulator.pose(body).position) << "it stays where it was put";
+
+  // Another map with the same things: what was taken stays, the rest goes on, from its new course on at once.
+  const std::vector<Object> same(simulator.objects().begin(), simulator.objects().end());
+  const std::vector<base::ObjectId> were = {{1}, {2}, {3}};
+  world.travels[1] = travel(2, {{5, 0}, {5, 80}}, 10.0);
+  simulator.set_objects(same, were, world.travels);
+  EXPECT_EQ(simulator.objects()[0].center, simulator.pose(body).position);
+  EXPECT_NEAR(simulator.objects()[1].center.y, 22.0, 1e-9);
+
+  simulator.restore(*snapshot);
+  simulator.step(actions, 0.1);
+  EXPECT_NEAR(simulator.objects()[0].center.x, 1.1, 1e-9) << "nobody has taken it yet";
+  EXPECT_NEAR(simulator.objects()[1].center.y, 2.2, 1e-9);
+}
+
+TEST(Objects, AreTakenAlongByWhatTheyLieIn) {
+  World world;
+  world.objects = {object(1, {0.3, 0}, ObjectStyle::kMovable), object(2, {1, 0}, ObjectStyle::kContainer)};
+  world.travels = {travel(2, {{1, 0}, {1, 8}}, 1.0)};
+  Simulator simulator(world);
+  add(simulator, {{0, 0}, 0.0}, 1);
+  std::vector<Action> actions(1);
+  actions[0].ask({.kind = Request::Kind::kPickUp, .object = {1}, .reach = 1.0});
+  actions[0].ask({.kind = Request::Kind::kDropInBasket, .object = {}, .reach = 2.0});
+  simulator.step(actions, 0.1);
+  ASSERT_EQ(simulator.basket_count({2}), 1U);
+  actions[0] = {};
+  for (int i = 0; i < 19; ++i) simulator.step(actions, 0.1);
+  EXPECT_NEAR(simulator.objects()[1].center.y, 2.0, 1e-9);
+  EXPECT_EQ(simulator.objects()[0].center, simulator.objects()[1].center);
+}
+
 // Three things: one is carried, one lies in the basket, one stands.
 World toys() {
   World world;

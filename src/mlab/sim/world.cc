@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 
@@ -20,6 +21,12 @@ bool is_usable(geom::Point p) {
 }
 bool is_usable(double radius) {
   return radius >= 0.0 && radius <= World::kFarthest;
+}
+bool is_usable(const overlay::Course& course) {
+  const std::vector<geom::Point>& points = course.points();
+  return std::ranges::all_of(points, [](geom::Point p) { return is_usable(p); }) &&
+         overlay::length_of(points) >= overlay::Course::kShortest &&  // false for NaN
+         course.speed() > 0.0 && course.speed() <= World::kFarthest;
 }
 
 ObjectStyle style_of(overlay::ObjectStyle style) {
@@ -81,6 +88,8 @@ World world_of(const overlay::Overlay& overlay) {
     added.style = style_of(object.style);
     added.center = object.center;
     added.radius = object.diameter / 2;
+    if (object.is_moving())
+      world.travels.push_back({added.id, std::make_shared<const overlay::Course>(course_of(object))});
   }
   keep_usable(world);
   return world;
@@ -117,14 +126,17 @@ std::vector<base::ObjectId> same_objects(std::span<const Object> before, std::sp
 void keep_usable(World& world) {
   std::erase_if(world.discs, [](const Disc& d) { return !is_usable(d.center) || !is_usable(d.radius); });
   std::erase_if(world.roamers, [](const Roamer& roamer) {
-    const auto& points = roamer.course.points();
-    return !std::ranges::all_of(points, [](geom::Point p) { return is_usable(p); }) ||
-           !is_usable(roamer.radius) || !(overlay::length_of(points) >= overlay::Course::kShortest) ||
-           !(roamer.course.speed() > 0.0 && roamer.course.speed() <= World::kFarthest);
+    return !is_usable(roamer.course) || !is_usable(roamer.radius);
   });
   std::erase_if(world.walls,
                 [](const Wall& w) { return !is_usable(w.segment.a) || !is_usable(w.segment.b); });
   std::erase_if(world.objects, [](const Object& o) { return !is_usable(o.center) || !is_usable(o.radius); });
+  std::vector<base::ObjectId> ids;
+  for (const Object& object : world.objects) ids.push_back(object.id);
+  std::ranges::sort(ids);
+  std::erase_if(world.travels, [&](const Travel& travel) {
+    return !std::ranges::binary_search(ids, travel.object) || !is_usable(*travel.course);
+  });
   const auto limited = [](geom::Point& p, double otherwise) {
     p.x = std::isnan(p.x) ? otherwise : std::clamp(p.x, -World::kFarthest, World::kFarthest);
     p.y = std::isnan(p.y) ? otherwise : std::clamp(p.y, -World::kFarthest, World::kFarthest);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,16 @@ struct Roamer {
   friend bool operator==(const Roamer&, const Roamer&) = default;
 };
 
+/// An object that goes along a course, until somebody takes it up.
+struct Travel {
+  base::ObjectId object;
+  std::shared_ptr<const overlay::Course> course;
+
+  friend bool operator==(const Travel& a, const Travel& b) {
+    return a.object == b.object && *a.course == *b.course;
+  }
+};
+
 /// Whether a ray to the east crosses the line, counted so that a closed edge is crossed an odd number of
 /// times from inside.
 bool is_crossed(const geom::Segment& line, geom::Point from);
@@ -48,6 +59,7 @@ struct World {
   std::vector<Roamer> roamers;
   std::vector<Wall> walls;  ///< the solid ones first
   std::vector<Object> objects;
+  std::vector<Travel> travels;  ///< of objects, each of another one
   Building building;
   std::vector<Outline> silences;  ///< zones from where nothing is heard, and where nobody hears
 

@@ -99,6 +99,22 @@ TEST(World, ObjectsHaveAClassByTheirColour) {
   EXPECT_EQ(world.objects[2].object_class, percept::ObjectClass::kUnknown);
 }
 
+TEST(World, ObjectsWithARouteTravel) {
+  overlay::Overlay overlay;
+  overlay.objects.push_back({.center = {1, 2}, .diameter = 1, .style = {}, .color = "red", .place = {}});
+  overlay.objects.push_back({.center = {3, 4},
+                             .diameter = 1,
+                             .style = {},
+                             .color = "red",
+                             .place = {},
+                             .route = {{3, 9}},
+                             .speed = 2});
+  const World world = world_of(overlay);
+  ASSERT_EQ(world.travels.size(), 1U);
+  EXPECT_EQ(world.travels[0].object.value, 2U);
+  EXPECT_EQ(world.travels[0].course->at(1.0).place, (geom::Point{3, 6}));
+}
+
 TEST(World, WhatIsNotANumberOrTooFarAwayIsLeftOut) {
   World world;
   world.discs = {{{0, 0}, 1}, {{NAN, 0}, 1}, {{0, 0}, -1}, {{0, 2e8}, 1}, {{0, 0}, INFINITY}};

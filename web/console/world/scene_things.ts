@@ -1,4 +1,5 @@
 // Things of the Scene as the world tools see them, and the changes that bring them about.
+import { isMoving } from "../../core/map/moving.ts";
 import type { Model } from "../../core/model.ts";
 import type { Scene } from "../../core/protocol.ts";
 import type { MapChangeInit } from "../map_editing/edit_map.ts";
@@ -6,7 +7,7 @@ import type { ObjectStyle, ObjectThing, ObstacleThing, Thing } from "../map_edit
 
 const kStyles: readonly ObjectStyle[] = ["fixed", "movable", "container"];
 
-/** All obstacles, then all objects; objects where they are now. */
+/** All obstacles, then all objects; objects where they are now, but those with a route where it begins. */
 export function thingsOf(scene: Scene | null, moved: Model["movedObjects"]): Thing[] {
   if (!scene) return [];
   const obstacles = scene.obstacles.map(
@@ -21,7 +22,7 @@ export function thingsOf(scene: Scene | null, moved: Model["movedObjects"]): Thi
     }),
   );
   const objects = scene.objects.map((o, index): ObjectThing => {
-    const at = moved.get(o.id) ?? o;
+    const at = isMoving(o) ? o : (moved.get(o.id) ?? o);
     const style = kStyles[o.style] ?? "fixed";
     const { diameter, color, document } = o;
     return { type: "object", index, x: at.x, y: at.y, diameter, style, color, document };

@@ -25,6 +25,7 @@ export function drawGround(pen: Pen, model: Model, picture: HTMLImageElement | n
   if (layers.measures) drawMeasures(pen, scene);
   if (layers.obstacles) drawObstacles(pen, scene);
   if (layers.objects) {
+    drawRoutes(pen, scene.objects);
     for (const object of scene.objects) {
       if (!model.movedObjects.has(object.id)) drawObject(pen, object, object.x, object.y);
     }
@@ -137,7 +138,7 @@ function drawObstacles(pen: Pen, scene: Scene): void {
   }
   fill(pen, color);
   if (scene.obstacles.length < 3000) stroke(pen, { color: palette.obstacleEdge, width: 1 });
-  drawRoutes(pen, scene);
+  drawRoutes(pen, scene.obstacles);
 }
 
 /** One object at its place now. Containers have a rim, fixed ones are squares with round corners. */
@@ -180,8 +181,8 @@ function drawChosen(pen: Pen, model: Model, scene: Scene, item: MapItem, isSelec
   }
   if (item.kind === "object") {
     const object = scene.objects[item.index];
-    const moved = object && model.movedObjects.get(object.id);
     if (!object) return;
+    const moved = isMoving(object) ? null : model.movedObjects.get(object.id);
     traceCircle(pen, moved ?? object, object.diameter / 2, 5);
     draw();
     return;

@@ -1,12 +1,13 @@
-// Obstacles that move: where they are at a time of the run, as the server computes it, and their routes.
+// What moves along a route: where obstacles are at a time of the run, as the server computes it (where objects are comes
+// with the frames), and the routes.
 import { distance, type Point } from "../geometry.ts";
 import type { Model } from "../model.ts";
 import type { Obstacle, Scene } from "../protocol.ts";
 import { fill, isOnScreen, stroke } from "./strokes.ts";
 import type { Pen } from "./tool.ts";
 
-export function isMoving(obstacle: Obstacle): boolean {
-  return obstacle.route.length > 0;
+export function isMoving(thing: { readonly route: readonly unknown[] }): boolean {
+  return thing.route.length > 0;
 }
 
 /** Where it is: there and back along its route, round and round where that ends where it begins. */
@@ -33,14 +34,14 @@ export function placeAt(obstacle: Obstacle, time: number): Point {
 }
 
 /** Thin, with a ring where each is at the start: that is where it is taken hold of. */
-export function drawRoutes(pen: Pen, scene: Scene): void {
+export function drawRoutes(pen: Pen, things: readonly (Scene["obstacles"][number] | Scene["objects"][number])[]): void {
   const { context, camera, palette } = pen;
   context.beginPath();
-  for (const obstacle of scene.obstacles) {
-    if (!isMoving(obstacle)) continue;
-    context.moveTo(camera.toScreenX(obstacle.x), camera.toScreenY(obstacle.y));
-    for (const { x, y } of obstacle.route) context.lineTo(camera.toScreenX(x), camera.toScreenY(y));
-    addCircle(pen, obstacle, obstacle.radius);
+  for (const thing of things) {
+    if (!isMoving(thing)) continue;
+    context.moveTo(camera.toScreenX(thing.x), camera.toScreenY(thing.y));
+    for (const { x, y } of thing.route) context.lineTo(camera.toScreenX(x), camera.toScreenY(y));
+    addCircle(pen, thing, "radius" in thing ? thing.radius : thing.diameter / 2);
   }
   stroke(pen, { color: palette.obstacleEdge, width: 1, dash: [4, 4] });
 }

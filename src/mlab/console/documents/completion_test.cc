@@ -157,6 +157,9 @@ TEST_F(CompletionTest, KnowsWhereInAnOverlayItIs) {
   EXPECT_EQ(in_overlay("CONTROL MEASURES:\nOBSTACLE 1 2 3 4 ROUTE 5 6 S|"), Strings{"SPEED"});
   EXPECT_FALSE(has(in_overlay("CONTROL MEASURES:\nOBSTACLE 1 2 |"), "ROUTE")) << "the radius is missing";
   EXPECT_TRUE(has(in_overlay("CONTROL MEASURES:\nOBSTACLE 1 2 3 ROUTE 5 6 SPEED 1 |"), "PP"));
+  EXPECT_EQ(in_overlay("CONTROL MEASURES:\nFLAG 1 2 ROU|"), Strings{"ROUTE"});
+  EXPECT_EQ(in_overlay("CONTROL MEASURES:\nOBJECT 1 2 3 FIXED red ROU|"), Strings{"ROUTE"});
+  EXPECT_FALSE(has(in_overlay("CONTROL MEASURES:\nFLAG 1 |"), "ROUTE"));
   EXPECT_EQ(in_overlay("SET |"), Strings{"ZOOM-FACTOR"});
 }
 

@@ -143,20 +143,24 @@ std::string problem_with(const Measure& measure) {
                                                                                 : "the size is too large";
 }
 
+template <class Thing>
+std::string problem_with_route(const Thing& thing) {
+  if (thing.route().empty()) return "";
+  std::vector<geom::Point> way = points_of(thing.route());
+  way.insert(way.begin(), {thing.x(), thing.y()});
+  if (!std::ranges::all_of(way, [](geom::Point p) { return is_on_a_map(p.x) && is_on_a_map(p.y); }))
+    return "a coordinate is at most 100,000 km from 0";
+  if (!(overlay::length_of(way) >= overlay::Course::kShortest)) return "a route leads somewhere";
+  return thing.speed() > 0.0 && thing.speed() <= odl::kMaxRouteSpeed
+             ? ""
+             : fmt::format("a speed is more than 0 and at most {:g} m/s", odl::kMaxRouteSpeed);
+}
+
 std::string problem_with(const Obstacle& obstacle) {
   if (!is_on_a_map(obstacle.x()) || !is_on_a_map(obstacle.y()))
     return "a coordinate is at most 100,000 km from 0";
   if (!is_length(obstacle.radius())) return "the radius of an obstacle is more than 0";
-  if (!obstacle.route().empty()) {
-    std::vector<geom::Point> way = points_of(obstacle.route());
-    way.insert(way.begin(), {obstacle.x(), obstacle.y()});
-    if (!std::ranges::all_of(way, [](geom::Point p) { return is_on_a_map(p.x) && is_on_a_map(p.y); }))
-      return "a coordinate is at most 100,000 km from 0";
-    if (!(overlay::length_of(way) >= overlay::Course::kShortest)) return "a route leads somewhere";
-    if (!(obstacle.speed() > 0.0 && obstacle.speed() <= odl::kMaxObstacleSpeed))
-      return fmt::format("the speed of an obstacle is more than 0 and at most {:g} m/s",
-                         odl::kMaxObstacleSpeed);
-  }
+  if (std::string problem = problem_with_route(obstacle); !problem.empty()) return problem;
   return is_on_a_map(obstacle.height()) ? "" : "the height is too large";
 }
 
@@ -165,12 +169,19 @@ std::string problem_with(const WorldObject& object) {
     return "a coordinate is at most 100,000 km from 0";
   if (!is_on_a_map(object.diameter()) || object.diameter() < 0.0)
     return "the diameter of an object is not below 0";
+  if (std::string problem = problem_with_route(object); !problem.empty()) return problem;
   if (object.style() < WorldObject::FIXED || object.style() > WorldObject::CONTAINER)
     return "there is no such style";
   return odl::written_name(object.color()).empty() ? "a colour has no quotes and stands on one line" : "";
 }
 
 // ---- new statements
+
+template <class Thing>
+void add_route(const Thing& thing, geom::Offset origin, odl::Statement& out) {
+  out.route = points(points_of(thing.route()), origin);
+  if (!out.route.empty()) out.speed = number(thing.speed());
+}
 
 odl::Statement statement_of(const Measure& measure, geom::Offset origin) {
   const MeasureKind kind = decode_kind(measure.kind());
@@ -195,8 +206,7 @@ odl::Statement statement_of(const Obstacle& obstacle, geom::Offset origin) {
   out.points = {point({obstacle.x(), obstacle.y()}, origin)};
   out.numbers = {number(obstacle.radius())};
   if (obstacle.height() > 0.0) out.numbers.push_back(number(obstacle.height()));
-  out.route = points(points_of(obstacle.route()), origin);
-  if (!out.route.empty()) out.speed = number(obstacle.speed());
+  add_route(obstacle, origin, out);
   return out;
 }
 
@@ -207,6 +217,7 @@ odl::Statement statement_of(const WorldObject& object, geom::Offset origin) {
   out.numbers = {number(object.diameter())};
   out.style = style_of(object);
   out.name = {object.color(), false, {}};
+  add_route(object, origin, out);
   return out;
 }
 
@@ -236,13 +247,19 @@ odl::Statement changed(const odl::Statement& was, const overlay::ControlMeasure&
   return out;
 }
 
-// One that moves keeps its route, which goes where it goes.
+// What moves keeps its route, which goes where it goes.
+template <class Before, class After>
+std::vector<geom::Point> moved_route(const Before& before, const After& after) {
+  std::vector<geom::Point> out = before.route;
+  for (geom::Point& point : out) point = point + (geom::Point{after.x(), after.y()} - before.center);
+  return out;
+}
+
 odl::Statement changed(const odl::Statement& was, const overlay::ObstacleDisc& before, const Obstacle& after,
                        geom::Offset origin) {
   odl::Statement out = was;
-  std::vector<geom::Point> route = before.route;
-  for (geom::Point& point : route) point = point + (geom::Point{after.x(), after.y()} - before.center);
-  out.route = moved(was.route, before.route, route, origin_by(was.points, {before.center}, origin));
+  out.route = moved(was.route, before.route, moved_route(before, after),
+                    origin_by(was.points, {before.center}, origin));
   out.points[0] = moved(was.points[0], before.center, {after.x(), after.y()}, origin);
   out.numbers[0] = moved(was.numbers[0], before.radius, after.radius());
   if (was.numbers.size() > 1)
@@ -257,9 +274,16 @@ odl::Statement changed(const odl::Statement& was, const overlay::WorldObject& be
                        const WorldObject& after, geom::Offset origin) {
   const bool is_object = was.keyword == odl::Keyword::kObject;
   const bool looks_same = before.style == style_of(after) && before.color == after.color();
-  if (!is_object && !looks_same)
-    return in_place_of(was, statement_of(after, origin_by(was.points, {before.center}, origin)));
+  if (!is_object && !looks_same) {
+    const geom::Offset plain = origin_by(was.points, {before.center}, origin);
+    odl::Statement now = statement_of(after, plain);
+    now.route = points(moved_route(before, after), plain);
+    now.speed = was.speed;
+    return in_place_of(was, now);
+  }
   odl::Statement out = was;
+  out.route = moved(was.route, before.route, moved_route(before, after),
+                    origin_by(was.points, {before.center}, origin));
   out.points[0] = moved(was.points[0], before.center, {after.x(), after.y()}, origin);
   if (!was.numbers.empty())
     out.numbers[0] = moved(was.numbers[0], before.diameter, after.diameter());

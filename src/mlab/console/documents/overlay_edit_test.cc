@@ -51,6 +51,13 @@ MapChange remove_measure(std::uint32_t index) {
   return out;
 }
 
+MapChange replace_object(std::uint32_t index, const WorldObject& object) {
+  MapChange out;
+  out.mutable_replace_object()->set_index(index);
+  *out.mutable_replace_object()->mutable_object() = object;
+  return out;
+}
+
 MapChange move_obstacle(std::uint32_t index, double x, double y, double radius, double height = 0.0) {
   MapChange out;
   out.mutable_replace_obstacle()->set_index(index);
@@ -262,6 +269,28 @@ TEST(OverlayEdit, AnObstacleThatMovesTakesItsRouteWithIt) {
   EXPECT_EQ(texts.said(), "");
 }
 
+TEST(OverlayEdit, AnObjectThatMovesTakesItsRouteWithIt) {
+  MapOfTexts texts(kHeader + "flag 1 2.0 route 4 5 -- there\n 6 7 Speed 1.50\nOBJECT 0 0 1 FIXED red ROUTE 9 0 "
+                             "SPEED 2\n");
+  WorldObject flag = texts.scene().objects(0);
+  WorldObject box = texts.scene().objects(1);
+  ASSERT_EQ(flag.route_size(), 2);
+  EXPECT_EQ(flag.speed(), 1.5);
+  flag.clear_route();  // nobody who changes it need know of it
+  box.clear_route();
+  flag.set_x(2);
+  box.set_y(1);
+  ASSERT_EQ(texts.change({replace_object(0, flag), replace_object(1, box)}), "");
+  EXPECT_EQ(texts.overlay(), kHeader + "flag 2 2.0 route 5 5 -- there\n 7 7 Speed 1.50\nOBJECT 0 1 1 FIXED red "
+                                       "ROUTE 9 1 SPEED 2\n");
+  flag.set_style(WorldObject::FIXED);
+  ASSERT_EQ(texts.change({replace_object(0, flag)}), "");
+  EXPECT_EQ(texts.map().objects[0].style, overlay::ObjectStyle::kFixed);
+  EXPECT_EQ(texts.map().objects[0].route, (std::vector<geom::Point>{{5, 5}, {7, 7}}));
+  EXPECT_EQ(texts.map().objects[0].speed, 1.5);
+  EXPECT_EQ(texts.said(), "");
+}
+
 TEST(OverlayEdit, AddsAnObstacleThatMoves) {
   MapOfTexts texts(kHeader);
   MapChange added;
@@ -274,7 +303,7 @@ TEST(OverlayEdit, AddsAnObstacleThatMoves) {
   point.set_y(5);
   for (const double speed : {0.0, -1.0, 101.0, std::nan("")}) {
     obstacle.set_speed(speed);
-    EXPECT_EQ(texts.change({added}), "the speed of an obstacle is more than 0 and at most 100 m/s") << speed;
+    EXPECT_EQ(texts.change({added}), "a speed is more than 0 and at most 100 m/s") << speed;
   }
   obstacle.set_speed(1.5);
   ASSERT_EQ(texts.change({added}), "");

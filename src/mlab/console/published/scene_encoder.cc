@@ -52,17 +52,18 @@ void encode(const overlay::ControlMeasure& from, const PlaceOf& place_of, Measur
   set_place(place_of, from.place, to);
 }
 
+template <class From, class To>
+void encode_route(const From& from, To& to) {
+  for (const geom::Point& point : from.route) encode(point, *to.add_route());
+  to.set_speed(from.speed);
+}
+
 void encode(const overlay::ObstacleDisc& from, const PlaceOf& place_of, Obstacle& to) {
   to.set_x(from.center.x);
   to.set_y(from.center.y);
   to.set_radius(from.radius);
   to.set_height(from.height);
-  for (const geom::Point& point : from.route) {
-    Point& next = *to.add_route();
-    next.set_x(point.x);
-    next.set_y(point.y);
-  }
-  to.set_speed(from.speed);
+  encode_route(from, to);
   if (is_written(from)) set_place(place_of, from.place, to);
 }
 
@@ -72,6 +73,7 @@ void encode(const overlay::WorldObject& from, const PlaceOf& place_of, WorldObje
   to.set_diameter(from.diameter);
   to.set_style(static_cast<WorldObject::Style>(from.style));
   to.set_color(text::as_utf8(from.color));
+  encode_route(from, to);
   set_place(place_of, from.place, to);
 }
 

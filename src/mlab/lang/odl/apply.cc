@@ -312,12 +312,23 @@ class Applier {
     std::optional<double> height = 0.0;
     if (s.numbers.size() > 1)
       height = in_range(s.numbers[1], -kMaxCoordinate, kMaxCoordinate, "a height in metres");
+    auto movement = movement_of(s, at);
+    if (!at || !radius || !height || !movement) return;
+    into_.obstacles.push_back({*at, *radius, std::max(*height, 0.0), place_of(s.span),
+                               std::move(movement->route), movement->speed});
+  }
+
+  struct Movement {
+    std::vector<geom::Point> route;
+    double speed = 0.0;
+  };
+  // Of what begins at a place, where that is one.
+  std::optional<Movement> movement_of(const Statement& s, std::optional<geom::Point> at) {
     auto route = points(s.route);
-    const auto speed = s.speed ? above_zero(*s.speed, "the speed of an obstacle in m/s", kMaxObstacleSpeed)
-                               : std::optional(0.0);
-    if (!at || !radius || !height || !route || !speed || !leads_somewhere(s, *at, *route)) return;
-    into_.obstacles.push_back(
-        {*at, *radius, std::max(*height, 0.0), place_of(s.span), std::move(*route), *speed});
+    const auto speed =
+        s.speed ? above_zero(*s.speed, "a speed in m/s", kMaxRouteSpeed) : std::optional(0.0);
+    if (!at || !route || !speed || !leads_somewhere(s, *at, *route)) return std::nullopt;
+    return Movement{std::move(*route), *speed};
   }
 
   bool leads_somewhere(const Statement& s, geom::Point from, const std::vector<geom::Point>& route) {
@@ -327,7 +338,7 @@ class Applier {
     sink_
         .error("route-without-length", place_of({s.route.front().x.span.begin, s.route.back().y.span.end}),
                "a route that leads nowhere")
-        .label = fmt::format("it is at least {:g} m long; without `ROUTE` an obstacle stands",
+        .label = fmt::format("it is at least {:g} m long; what stands has no `ROUTE`",
                              overlay::Course::kShortest);
     return false;
   }
@@ -339,8 +350,10 @@ class Applier {
         default_diameter > 0.0
             ? size(s, default_diameter)
             : in_range(s.numbers.front(), 0.0, kMaxCoordinate, "the diameter of an object");
-    if (!at || !diameter) return;
-    into_.objects.push_back({*at, *diameter, style, std::move(color), place_of(s.span)});
+    auto movement = movement_of(s, at);
+    if (!at || !diameter || !movement) return;
+    into_.objects.push_back({*at, *diameter, style, std::move(color), place_of(s.span),
+                             std::move(movement->route), movement->speed});
   }
 
   void add_measure(const Statement& s, const overlay::MeasureInfo& info) {

@@ -7,6 +7,8 @@
 namespace mlab::odl {
 namespace {
 
+constexpr std::string_view kRouteUsage = "[ROUTE x y ... SPEED number]";
+
 using enum Keyword;
 using overlay::MeasureInfo;
 
@@ -16,9 +18,10 @@ Rule word(Keyword keyword, std::string usage) {
 Rule numbers(Keyword keyword, std::size_t count, std::string_view what, std::string usage) {
   return {keyword, Form::kValues, 0, 0, count, count, what, std::move(usage)};
 }
-// An unnamed feature at one point.
-Rule spot(Keyword keyword, std::size_t least, std::size_t most, std::string_view what, std::string usage) {
-  return {keyword, Form::kValues, 1, 1, least, most, what, std::move(usage)};
+// An unnamed feature that begins at one point.
+Rule spot(Keyword keyword, std::size_t least, std::size_t most, std::string_view what,
+          std::string_view usage) {
+  return {keyword, Form::kMoving, 1, 1, least, most, what, fmt::format("{} {}", usage, kRouteUsage)};
 }
 
 std::string_view number_of(overlay::MeasureSize size) {
@@ -72,11 +75,10 @@ std::vector<Rule> all_rules() {
       Rule{kHeightmap, Form::kFile, 0, 0, 4, 4, "the width", "HEIGHTMAP file width height sea-level z-scale"},
       spot(kAttractor, 0, 1, "a diameter", "ATTRACTOR x y [diameter]"),
       Rule{kObject, Form::kObject, 1, 1, 1, 1, "the diameter",
-           "OBJECT x y diameter MOVABLE|FIXED|CONTAINER color"},
+           fmt::format("OBJECT x y diameter MOVABLE|FIXED|CONTAINER color {}", kRouteUsage)},
       spot(kBasket, 0, 1, "a diameter", "BASKET x y [diameter]"),
       spot(kFlag, 0, 1, "a diameter", "FLAG x y [diameter]"),
-      Rule{kObstacle, Form::kObstacle, 1, 1, 1, 2, "the radius",
-           "OBSTACLE x y radius [height] [ROUTE x y ... SPEED number]"},
+      spot(kObstacle, 1, 2, "the radius", "OBSTACLE x y radius [height]"),
       word(kWaypointFile, "WAYPOINT-FILE file"),
   };
   for (const MeasureInfo& measure : overlay::kMeasures) out.push_back(measure_rule(measure));

@@ -179,6 +179,21 @@ TEST(OdlObstacle, MayMoveBetweenPointsInDegrees) {
             (std::vector<geom::Point>{l.overlay.measures[0].points[0], {4, 5}}));
 }
 
+TEST(OdlObjects, MayMoveAlongARoute) {
+  const Overlay o = features(
+      "OBJECT 1 2 0.5 MOVABLE red ROUTE 4 5 6 7 SPEED 1.5\nFLAG 1 2 ROUTE 3 4 SPEED 2 basket 1 2 0.7 route 1 "
+      "9 speed 1 ATTRACTOR 1 2");
+  ASSERT_EQ(o.objects.size(), 4U);
+  EXPECT_EQ(o.objects[0].route, (std::vector<geom::Point>{{4, 5}, {6, 7}}));
+  EXPECT_EQ(o.objects[0].speed, 1.5);
+  EXPECT_EQ(o.objects[0].color, "red");
+  EXPECT_EQ(o.objects[1].route.size(), 1U);
+  EXPECT_EQ(o.objects[1].diameter, 0.4) << "the default";
+  EXPECT_EQ(o.objects[2].diameter, 0.7);
+  EXPECT_TRUE(o.objects[2].is_moving());
+  EXPECT_FALSE(o.objects[3].is_moving());
+}
+
 TEST(OdlObjects, HaveTheirStyleAndColor) {
   const Overlay o = features(
       "OBJECT 1 2 0.5 Container red\nATTRACTOR 1 2\nBASKET 1 2\nFLAG 1 2\nOBJECT 1 2 0.5 MOVABLE \"light "

@@ -228,7 +228,7 @@ class Parser {
     if (!starts_statement(token.keyword)) return false;
     if (token.starts_line) return true;
     const Form form = rule_of(token.keyword).form;
-    if (form == Form::kValues || form == Form::kObject || form == Form::kObstacle) return is_value(peek(1));
+    if (form == Form::kValues || form == Form::kObject || form == Form::kMoving) return is_value(peek(1));
     if (form == Form::kNamed) return is_name(peek(1)) && is_value(peek(2));
     return form == Form::kHallway ? peek(2).keyword == Keyword::kCenterline : is_name(peek(1));
   }
@@ -252,8 +252,8 @@ class Parser {
       case Form::kSet:
         return expect(Keyword::kZoomFactor) && parse_values(out);
       case Form::kObject:
-        return parse_values(out) && parse_style(out) && parse_name(out.name, false);
-      case Form::kObstacle:
+        return parse_values(out) && parse_style(out) && parse_name(out.name, false) && parse_route(out);
+      case Form::kMoving:
         return parse_values(out) && parse_route(out);
       case Form::kHallway:
         return parse_hallway(out);

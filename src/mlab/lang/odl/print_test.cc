@@ -85,6 +85,7 @@ std::string random_overlay() {
       "BOUNDARY \"\" 1 2 3 4",
       "OBSTACLE 1 2 3 4",
       "obstacle 1 2 3 Route 4 5 UTM LAT 33.7 LON -84.4 6 7 speed 1.5",
+      "flag 1 2 Route 4 5 UTM LAT 33.7 LON -84.4 speed 1.5 object 1 2 3 fixed red route 4 5 6 7 speed 1",
       "OBJECT 1 2 3 Fixed red",
       "ATTRACTOR 1 2",
       "HALLWAY h CENTERLINE 1 2 3 4 WIDTH 5 EXTENTS 6 7 8 9",

@@ -32,14 +32,14 @@ constexpr std::array kBehindMeasures = {
     Word{Keyword::kLat, "LAT", "", "degrees north"},
     Word{Keyword::kLon, "LON", "", "degrees east"},
     Word{Keyword::kMovable, "MOVABLE", "", "can be carried"},
-    Word{Keyword::kFixed, "FIXED", "", "stays where it is"},
+    Word{Keyword::kFixed, "FIXED", "", "can't be carried"},
     Word{Keyword::kContainer, "CONTAINER", "", "holds things"},
     Word{Keyword::kCenterline, "CENTERLINE", "", "the middle of a hallway"},
     Word{Keyword::kWidth, "WIDTH", "", "of a hallway, in metres"},
     Word{Keyword::kExtents, "EXTENTS", "", "the outline of a hallway"},
     Word{Keyword::kRoute, "ROUTE", "",
-         "where an obstacle goes, there and back; round and round where it ends at x y"},
-    Word{Keyword::kSpeed, "SPEED", "", "of an obstacle along its route, in m/s"},
+         "where it goes, there and back; round and round where it ends at x y"},
+    Word{Keyword::kSpeed, "SPEED", "", "along its route, in m/s"},
     Word{Keyword::kZoomFactor, "ZOOM-FACTOR", "", "10 to 400 per cent"},
 };
 static_assert(kBeforeFeatures.size() + kBehindMeasures.size() + 1 ==

@@ -39,7 +39,7 @@ struct Statement {
   NameSyntax name;  ///< also the file of LOAD-MAP, HEIGHTMAP, WAYPOINT-FILE; the color of OBJECT
   std::vector<PointSyntax> points;  ///< of HALLWAY: its extents; of ORIGIN: the one point
   std::vector<PointSyntax> centerline;
-  std::vector<PointSyntax> route;     ///< of OBSTACLE; empty: it stands
+  std::vector<PointSyntax> route;     ///< of what can move; empty: it stands
   std::optional<NumberSyntax> speed;  ///< where it has a route
   std::vector<NumberSyntax> numbers;  ///< those that are not coordinates, in file order
   overlay::ObjectStyle style = overlay::ObjectStyle::kFixed;

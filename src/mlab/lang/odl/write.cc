@@ -53,15 +53,12 @@ class Writer {
         add_numbers();
         add(keyword_of(statement_.style));
         add(statement_.name);
+        add_route();
         break;
-      case Form::kObstacle:
+      case Form::kMoving:
         add(statement_.points);
         add_numbers();
-        if (statement_.route.empty()) break;
-        add(Keyword::kRoute);
-        add(statement_.route);
-        add(Keyword::kSpeed);
-        add(statement_.speed.value_or(NumberSyntax{}));
+        add_route();
         break;
       case Form::kSet:
         add(Keyword::kZoomFactor);
@@ -98,6 +95,13 @@ class Writer {
   void add(const NumberSyntax& number) { add(number.span, written(number.value)); }
   void add_numbers() {
     for (const NumberSyntax& number : statement_.numbers) add(number);
+  }
+  void add_route() {
+    if (statement_.route.empty()) return;
+    add(Keyword::kRoute);
+    add(statement_.route);
+    add(Keyword::kSpeed);
+    add(statement_.speed.value_or(NumberSyntax{}));
   }
   void add(const std::vector<PointSyntax>& points) {
     for (const PointSyntax& point : points) {

@@ -57,6 +57,15 @@ TEST(OdlWrite, PrintsANewStatement) {
   EXPECT_EQ(print(now), "PP a* 1.5 -2");
 }
 
+TEST(OdlWrite, WritesTheRouteOfAnObject) {
+  EXPECT_EQ(after("CONTROL MEASURES: flag 1 2 route 4 5 -- there\n 6 7 speed 1.50",
+                  [](Statement& changed) { changed.route[1].x = {8.0, {}}; }),
+            "CONTROL MEASURES: flag 1 2 route 4 5 -- there\n 8 7 speed 1.50");
+  EXPECT_EQ(after("CONTROL MEASURES: object 1 2 3 fixed red route 4 5 speed 1.50",
+                  [](Statement& changed) { changed.style = overlay::ObjectStyle::kMovable; }),
+            "CONTROL MEASURES: object 1 2 3 MOVABLE red route 4 5 speed 1.50");
+}
+
 TEST(OdlWrite, WritesTheRouteOfAnObstacle) {
   Statement now;
   now.keyword = Keyword::kObstacle;
