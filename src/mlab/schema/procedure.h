@@ -22,6 +22,7 @@
 #include "mlab/percept/formation.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/schema/camera.h"
+#include "mlab/schema/clearance.h"
 #include "mlab/schema/constants.h"
 #include "mlab/schema/contracts.h"
 #include "mlab/schema/drive.h"
@@ -64,6 +65,7 @@ using geom::Point;
 using geom::polar;
 using geom::Pose;
 using geom::rotated;
+using geom::Segment;
 using geom::unit;
 using geom::Vector;
 

@@ -335,16 +335,16 @@ geom::Point way_point(std::span<const geom::Point> way, double at) {
 }
 
 std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,
-                          std::span<geom::Point> out) {
+                          std::span<geom::Segment> out) {
   std::size_t count = 0;
+  const auto away = [&](const geom::Segment& wall) { return distance(nearest_point(wall, here), here); };
   for (const geom::Segment& wall : ground.walls) {
-    const geom::Point place = nearest_point(wall, here);
-    const double far = distance(place, here);
-    if (far > reach || (count == out.size() && far >= distance(out.back(), here))) continue;
+    const double far = away(wall);
+    if (far > reach || (count == out.size() && far >= away(out.back()))) continue;
     if (count < out.size()) ++count;
     std::size_t at = count - 1;
-    for (; at > 0 && far < distance(out[at - 1], here); --at) out[at] = out[at - 1];
-    out[at] = place;
+    for (; at > 0 && far < away(out[at - 1]); --at) out[at] = out[at - 1];
+    out[at] = wall;
   }
   return count;
 }

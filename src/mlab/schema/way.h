@@ -96,10 +96,10 @@ int mates_before(const Readings& robots, const geom::Pose& pose, const ways::Pla
   return out;
 }
 
-/// The nearest places of the walls within reach [m], nearest first; as many as there is room for.
+/// The nearest walls within reach [m], nearest first; as many as there is room for.
 /// @return  how many
 std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,
-                          std::span<geom::Point> out);
+                          std::span<geom::Segment> out);
 
 /// Where to head for from beside a way, so that what one cuts off of its turns stays small.
 /// @param at         how far along the way one is [m]

@@ -125,9 +125,8 @@ std::vector<base::ObjectId> same_objects(std::span<const Object> before, std::sp
 
 void keep_usable(World& world) {
   std::erase_if(world.discs, [](const Disc& d) { return !is_usable(d.center) || !is_usable(d.radius); });
-  std::erase_if(world.roamers, [](const Roamer& roamer) {
-    return !is_usable(roamer.course) || !is_usable(roamer.radius);
-  });
+  std::erase_if(world.roamers,
+                [](const Roamer& roamer) { return !is_usable(roamer.course) || !is_usable(roamer.radius); });
   std::erase_if(world.walls,
                 [](const Wall& w) { return !is_usable(w.segment.a) || !is_usable(w.segment.b); });
   std::erase_if(world.objects, [](const Object& o) { return !is_usable(o.center) || !is_usable(o.radius); });

@@ -35,7 +35,8 @@ const std::string kFirst =
 const std::string kSecond =
     "ORIGIN 10 -20\r\nCONTROL MEASURES:\r\nPL three 0 0 -- c\r\n  10 10\r\n\r\n  20 0\r\nHALLWAY h "
     "CENTERLINE 1 2 3 4 "
-    "WIDTH 2 EXTENTS 1 1 3 3\r\nOBJECT 1 2 3 fixed red FLAG 4 4 route 5 5 speed 1 BASKET 5 5 1\r\nOBSTACLE 1 2 3 4 obstacle 5 "
+    "WIDTH 2 EXTENTS 1 1 3 3\r\nOBJECT 1 2 3 fixed red FLAG 4 4 route 5 5 speed 1 BASKET 5 5 1\r\nOBSTACLE 1 "
+    "2 3 4 obstacle 5 "
     "5 1 route 9 5 "
     "-- r\r\n 5 5 speed 2.0 GAP Door 1 1 2 2";
 

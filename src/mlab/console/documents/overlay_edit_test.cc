@@ -270,8 +270,9 @@ TEST(OverlayEdit, AnObstacleThatMovesTakesItsRouteWithIt) {
 }
 
 TEST(OverlayEdit, AnObjectThatMovesTakesItsRouteWithIt) {
-  MapOfTexts texts(kHeader + "flag 1 2.0 route 4 5 -- there\n 6 7 Speed 1.50\nOBJECT 0 0 1 FIXED red ROUTE 9 0 "
-                             "SPEED 2\n");
+  MapOfTexts texts(kHeader +
+                   "flag 1 2.0 route 4 5 -- there\n 6 7 Speed 1.50\nOBJECT 0 0 1 FIXED red ROUTE 9 0 "
+                   "SPEED 2\n");
   WorldObject flag = texts.scene().objects(0);
   WorldObject box = texts.scene().objects(1);
   ASSERT_EQ(flag.route_size(), 2);
@@ -281,8 +282,9 @@ TEST(OverlayEdit, AnObjectThatMovesTakesItsRouteWithIt) {
   flag.set_x(2);
   box.set_y(1);
   ASSERT_EQ(texts.change({replace_object(0, flag), replace_object(1, box)}), "");
-  EXPECT_EQ(texts.overlay(), kHeader + "flag 2 2.0 route 5 5 -- there\n 7 7 Speed 1.50\nOBJECT 0 1 1 FIXED red "
-                                       "ROUTE 9 1 SPEED 2\n");
+  EXPECT_EQ(texts.overlay(), kHeader +
+                                 "flag 2 2.0 route 5 5 -- there\n 7 7 Speed 1.50\nOBJECT 0 1 1 FIXED red "
+                                 "ROUTE 9 1 SPEED 2\n");
   flag.set_style(WorldObject::FIXED);
   ASSERT_EQ(texts.change({replace_object(0, flag)}), "");
   EXPECT_EQ(texts.map().objects[0].style, overlay::ObjectStyle::kFixed);

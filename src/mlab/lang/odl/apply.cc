@@ -325,8 +325,7 @@ class Applier {
   // Of what begins at a place, where that is one.
   std::optional<Movement> movement_of(const Statement& s, std::optional<geom::Point> at) {
     auto route = points(s.route);
-    const auto speed =
-        s.speed ? above_zero(*s.speed, "a speed in m/s", kMaxRouteSpeed) : std::optional(0.0);
+    const auto speed = s.speed ? above_zero(*s.speed, "a speed in m/s", kMaxRouteSpeed) : std::optional(0.0);
     if (!at || !route || !speed || !leads_somewhere(s, *at, *route)) return std::nullopt;
     return Movement{std::move(*route), *speed};
   }
@@ -338,8 +337,8 @@ class Applier {
     sink_
         .error("route-without-length", place_of({s.route.front().x.span.begin, s.route.back().y.span.end}),
                "a route that leads nowhere")
-        .label = fmt::format("it is at least {:g} m long; what stands has no `ROUTE`",
-                             overlay::Course::kShortest);
+        .label =
+        fmt::format("it is at least {:g} m long; what stands has no `ROUTE`", overlay::Course::kShortest);
     return false;
   }
 

@@ -10,14 +10,14 @@ namespace mlab::odl {
 
 /// How a statement is put together after its keyword.
 enum class Form {
-  kName,      ///< a name
-  kFile,      ///< a file, then numbers
-  kValues,    ///< points and numbers
-  kMoving,    ///< a point and numbers, perhaps ROUTE points SPEED number
-  kNamed,     ///< a name, then points and numbers
-  kSet,       ///< ZOOM-FACTOR, then a number
-  kObject,    ///< a point, a number, a style, a color, perhaps ROUTE points SPEED number
-  kHallway,   ///< a name, CENTERLINE points, WIDTH number, EXTENTS points
+  kName,     ///< a name
+  kFile,     ///< a file, then numbers
+  kValues,   ///< points and numbers
+  kMoving,   ///< a point and numbers, perhaps ROUTE points SPEED number
+  kNamed,    ///< a name, then points and numbers
+  kSet,      ///< ZOOM-FACTOR, then a number
+  kObject,   ///< a point, a number, a style, a color, perhaps ROUTE points SPEED number
+  kHallway,  ///< a name, CENTERLINE points, WIDTH number, EXTENTS points
 };
 
 /// What the grammar says of one statement.

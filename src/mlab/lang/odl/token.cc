@@ -37,8 +37,7 @@ constexpr std::array kBehindMeasures = {
     Word{Keyword::kCenterline, "CENTERLINE", "", "the middle of a hallway"},
     Word{Keyword::kWidth, "WIDTH", "", "of a hallway, in metres"},
     Word{Keyword::kExtents, "EXTENTS", "", "the outline of a hallway"},
-    Word{Keyword::kRoute, "ROUTE", "",
-         "where it goes, there and back; round and round where it ends at x y"},
+    Word{Keyword::kRoute, "ROUTE", "", "where it goes, there and back; round and round where it ends at x y"},
     Word{Keyword::kSpeed, "SPEED", "", "along its route, in m/s"},
     Word{Keyword::kZoomFactor, "ZOOM-FACTOR", "", "10 to 400 per cent"},
 };
