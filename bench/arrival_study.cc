@@ -31,9 +31,9 @@
 
 #include <fmt/core.h>
 
-#include "arrival_worlds.h"
 #include "mission_of.h"
 #include "mlab/cell/testing/permission.h"
+#include "mlab/lang/odl/drawn_worlds.h"
 #include "mlab/mission/known_map.h"
 #include "mlab/robot/program/robot_program.h"
 #include "mlab/simulated/run.h"
@@ -45,6 +45,43 @@ namespace {
 constexpr double kCell = 0.25;  // [m]
 constexpr double kNear = 10.0;  // of the goal [m]
 constexpr double kSpeed = 4.0;  // of a standard robot that its goal alone pulls [m/s]
+
+constexpr double kOutdoors = 5.2;  // body and margin [m]
+constexpr double kIndoors = 0.3;   // body and what is left of the margin [m]
+
+/// A world, and how a unit sets out in it.
+struct World {
+  odl::DrawnWorld map;
+  geom::Offset step{0, 20};  ///< from one robot to the next at the start; their row has its middle there
+  double spacing = 50.0;     ///< of formations [m]
+  double clearance = kOutdoors;
+  std::string settings = {};  ///< lines of the mission
+  bool has_others = false;    ///< another unit of as many goes the other way
+};
+
+/// @param coverage  of fields [per cent]
+World world_of(std::string_view name, double coverage, std::uint64_t seed) {
+  const auto kind = std::ranges::find(odl::kWorldKinds, name, &odl::WorldKindInfo::name);
+  if (kind == odl::kWorldKinds.end()) {
+    return {.map = {{1000, 400}, {200, 200}, {800, 200}, ""},
+            .settings = fmt::format("SET OBSTACLE-COVERAGE {}\nSET MIN-OBSTACLE-RADIUS 2\n"
+                                    "SET MAX-OBSTACLE-RADIUS 12\nCREATE-OBSTACLES\n",
+                                    coverage)};
+  }
+  World out{.map = odl::drawn_world(static_cast<odl::WorldKind>(kind - odl::kWorldKinds.begin()), seed)};
+  if (name == "rooms" || name == "corridor") {
+    out.step = name == "rooms" ? geom::Offset{0, 1.5} : geom::Offset{-1.5, 0};
+    out.spacing = 5;
+  } else if (name == "maze") {
+    out.step = {0, 0.8};
+    out.spacing = 3;
+  } else {
+    out.has_others = name == "gap";
+    return out;
+  }
+  out.clearance = kIndoors;
+  return out;
+}
 
 struct Options {
   std::string world = "field";
@@ -207,17 +244,18 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const World& wor
   const auto go = [&](std::string_view unit, geom::Point to) {
     return fmt::format("UNIT {} MOVETO {} {} FORMATION {}", unit, to.x, to.y, options.formation);
   };
-  std::string starts = start("team", world.start);
-  std::string goes = go("team", world.goal);
+  std::string starts = start("team", world.map.start);
+  std::string goes = go("team", world.map.goal);
   if (world.has_others) {
     mission += "\nUNIT <others>";
     for (int i = 0; i < options.robots; ++i) mission += " one";
-    starts += " AND\n" + start("others", world.goal);
-    goes += " AND\n" + go("others", world.start);
+    starts += " AND\n" + start("others", world.map.goal);
+    goes += " AND\n" + go("others", world.map.start);
   }
   mission += "\nCOMMAND LIST:\n0. " + starts + "\n1. " + goes + "\n";
   const std::string map =
-      fmt::format("MISSION-AREA {} {}\nCONTROL MEASURES:\n", world.size.x, world.size.y) + world.overlay;
+      fmt::format("MISSION-AREA {} {}\nCONTROL MEASURES:\n", world.map.size.width, world.map.size.height) +
+      world.map.features;
   if (!options.folder.empty()) {
     std::filesystem::create_directories(options.folder);
     std::ofstream(fmt::format("{}/study_{}.mdl", options.folder, seed))
@@ -263,7 +301,7 @@ Row row_of(const Options& options, std::uint64_t seed) {
   for (const fleet::FleetRobot& robot : run->fleet().robots())
     starts.push_back(run->fleet().pose(robot).position);
   while (run->time() < 0.5) run->step();  // until what nobody knows of is there
-  Grid grid(world.size);
+  Grid grid({world.map.size.width, world.map.size.height});
   for (const binding::Disc& one : run->world().discs())
     grid.block_disc(one.center, one.radius + world.clearance);
   for (const overlay::Barrier& one : overlay::barriers(run->mission().overlay))
@@ -273,8 +311,8 @@ Row row_of(const Options& options, std::uint64_t seed) {
     for (const double way : grid.ways(from, goal)) longest = std::max(longest, way);
   };
   const auto count = static_cast<std::size_t>(options.robots);
-  look({starts.data(), count}, world.goal);
-  if (world.has_others) look({starts.data() + count, count}, world.start);
+  look({starts.data(), count}, world.map.goal);
+  if (world.has_others) look({starts.data() + count, count}, world.map.start);
   out.is_possible = std::isfinite(longest);
   const double began = run->time();
   while (run->time() < 20'000.0 && run->step() == run::MissionRun::Progress::kStepped) {
@@ -287,7 +325,7 @@ Row row_of(const Options& options, std::uint64_t seed) {
     out.contacts += body.contacts + body.run_over;
     const geom::Point at = run->fleet().pose(robot).position;
     const bool is_other = robot.id.value > static_cast<std::uint32_t>(options.robots);
-    out.farthest = std::max(out.farthest, geom::distance(at, is_other ? world.start : world.goal));
+    out.farthest = std::max(out.farthest, geom::distance(at, is_other ? world.map.start : world.map.goal));
   }
   return out;
 }
@@ -381,11 +419,13 @@ int main(int argc, char** argv) {
       is_good = false;
     }
   }
-  if (is_good && std::ranges::count(mlab::bench::kWorlds, options.world) == 1)
-    return mlab::bench::study(options);
+  const bool is_known =
+      options.world == "field" || options.world == "unknown" ||
+      std::ranges::count(mlab::odl::kWorldKinds, options.world, &mlab::odl::WorldKindInfo::name) == 1;
+  if (is_good && is_known) return mlab::bench::study(options);
   fmt::print(
       stderr,
-      "arrival_study [--world field|unknown|rooms|corridor|maze|bows|moving|swap] [--runs N] [--robots N]\n"
+      "arrival_study [--world field|unknown|rooms|corridor|maze|bows|traffic|gap] [--runs N] [--robots N]\n"
       "              [--formation NAME] [--coverage PERCENT] [--reactive] [--table FILE] [--write FOLDER]\n");
   return 2;
 }

@@ -189,10 +189,10 @@ TEST_P(Mission, GivesTheSameReportThoughEveryFifthPacketIsLost) {
 
 // In the order of the alphabet.
 const std::string kAllMissions[] = {
-    "crossing",  "demo_c", "forage",       "formation_study", "formations", "gap",          "herd",
-    "minefield", "mrv2",   "out_of_reach", "patrol",          "rally",      "random_field", "robot_lab",
-    "rover",     "search", "split_rejoin", "squeeze",         "survey",     "ugv",          "visit",
-    "watch"};
+    "crossing",     "demo_c",    "forage", "formation_study", "formations",   "gap",
+    "herd",         "minefield", "mrv2",   "out_of_reach",    "patrol",       "rally",
+    "random_field", "robot_lab", "rover",  "search",          "split_rejoin", "squeeze",
+    "survey",       "ugv",       "visit",  "watch",           "worlds"};
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Mission, ::testing::ValuesIn(kAllMissions),
                          [](const auto& test) { return test.param; });

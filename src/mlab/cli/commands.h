@@ -243,6 +243,15 @@ struct NewOptions {
 int make_new(const NewOptions& options);
 std::vector<std::string> new_kinds();
 
+struct WorldOptions {
+  std::string kind;
+  std::uint64_t seed = 1;
+  std::uint64_t count = 1;  ///< maps, of this seed and those that follow
+  std::string folder;       ///< empty: standard output
+};
+int draw_worlds(const WorldOptions& options);
+std::string world_kinds_help();
+
 struct BenchOptions {
   std::uint32_t robots = 1000;
   int threads = 1;

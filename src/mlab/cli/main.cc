@@ -27,6 +27,7 @@
 #include "mlab/cli/replay_options.h"
 #include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"
+#include "mlab/lang/odl/drawn_worlds.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
@@ -379,6 +380,28 @@ void add_new(CLI::App& app, NewOptions& o) {
       ->type_name("NAME");
 }
 
+void add_world(CLI::App& app, WorldOptions& o) {
+  CLI::App* c = app.add_subcommand(
+      "world",
+      "Draw maps by seeds, for studies (docs/batch.md): each with what stands there, and with the passage\n"
+      "points Start and Goal. To the terminal, or one and more into a folder, as KIND_SEED.odl.");
+  std::vector<std::string> kinds;
+  for (const odl::WorldKindInfo& one : odl::kWorldKinds) kinds.emplace_back(one.name);
+  c->add_option("kind", o.kind, world_kinds_help())
+      ->required()
+      ->check(CLI::IsMember(kinds))
+      ->type_name("KIND");
+  c->add_option("--seed", o.seed, "of the first map; the others follow")
+      ->capture_default_str()
+      ->type_name("N");
+  c->add_option("--count", o.count, "how many maps")
+      ->capture_default_str()
+      ->check(CLI::Range(1U, 100'000U))
+      ->type_name("N");
+  c->add_option("--folder", o.folder, "where to; is made where it isn't there. Other files are left alone")
+      ->type_name("FOLDER");
+}
+
 // What shows or writes something of the command line itself.
 struct OwnOptions {
   std::string help_of;  // never read: help is answered by the command it is asked of
@@ -484,6 +507,7 @@ struct AllOptions {
   TraceOptions trace;
   CompareOptions compare;
   NewOptions fresh;
+  WorldOptions world;
   OwnOptions own;
   bool says_stdio = false;
 };
@@ -515,6 +539,7 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_keys(app, o.keys);
   add_lsp(app, o.says_stdio);
   add_new(app, o.fresh);
+  add_world(app, o.world);
   add_own(app, o.own);
 }
 
@@ -537,6 +562,7 @@ int do_as_told(CLI::App& app, const AllOptions& o) {
   if (app.got_subcommand("trace")) return trace(o.trace);
   if (app.got_subcommand("compare")) return compare(o.compare);
   if (app.got_subcommand("new")) return make_new(o.fresh);
+  if (app.got_subcommand("world")) return draw_worlds(o.world);
   if (!app.got_subcommand("bench")) return show_own(app, o.own);
   return bench(o.bench);
 }

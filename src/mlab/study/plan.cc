@@ -24,6 +24,13 @@ std::vector<std::uint32_t> shuffled(std::uint32_t count, base::Random random) {
   return out;
 }
 
+Written of_seed(Written value, std::uint64_t seed) {
+  const std::string written = std::to_string(seed);
+  for (std::size_t at = 0; (at = value.text.find(kSeedPlace, at)) != std::string::npos; at += written.size())
+    value.text.replace(at, kSeedPlace.size(), written);
+  return value;
+}
+
 mdl::Setting setting_of(const Dimension& dimension, const Written& value) {
   return {dimension.name.text, value.text, dimension.name.place, value.place};
 }
@@ -34,6 +41,8 @@ Plan::Plan(const Definition& definition) : definition_(definition) {
   strata_.resize(definition.dimensions.size());
   for (std::size_t i = 0; i < definition.dimensions.size(); ++i) {
     const Dimension& one = definition.dimensions[i];
+    for (const Written& value : one.values)
+      names_seeds_ = names_seeds_ || value.text.find(kSeedPlace) != std::string::npos;
     if (one.is_drawn()) {
       has_drawn_ = true;
       if (definition.is_latin)
@@ -76,7 +85,7 @@ std::vector<mdl::Setting> Plan::settings(const RunKey& key) const {
   for (std::size_t i = 0; i < definition_.dimensions.size(); ++i) {
     const Dimension& one = definition_.dimensions[i];
     out.push_back(setting_of(one, one.is_drawn() ? Written{shortest(drawn(i, key.run)), one.name.place}
-                                                 : listed(i, key.combination)));
+                                                 : of_seed(listed(i, key.combination), seed(key.run))));
   }
   return out;
 }
@@ -95,8 +104,8 @@ std::vector<mdl::Setting> Plan::extremes(std::uint32_t combination, bool highest
   for (std::size_t i = 0; i < definition_.dimensions.size(); ++i) {
     const Dimension& one = definition_.dimensions[i];
     const double end = highest ? one.high : one.low;
-    out.push_back(
-        setting_of(one, one.is_drawn() ? Written{shortest(end), one.name.place} : listed(i, combination)));
+    out.push_back(setting_of(one, one.is_drawn() ? Written{shortest(end), one.name.place}
+                                                 : of_seed(listed(i, combination), seed(0))));
   }
   return out;
 }

@@ -31,11 +31,14 @@ class Plan {
 
   /// What is set in a run, in the order of the definition's dimensions.
   std::vector<mdl::Setting> settings(const RunKey& key) const;
-  /// What is set in all runs of a combination: without what is drawn.
+  /// What is set in all runs of a combination: without what is drawn, and with `{seed}` where each run has
+  /// its own.
   std::vector<mdl::Setting> settings(std::uint32_t combination) const;
-  /// Each with its lowest, then its highest value of what is drawn.
+  /// With the lowest or the highest value of what is drawn, for the first seed.
   std::vector<mdl::Setting> extremes(std::uint32_t combination, bool highest) const;
   bool draws() const { return has_drawn_; }
+  /// Whether a listed value has the run's seed in it, so that its runs don't share what is set.
+  bool names_seeds() const { return names_seeds_; }
   /// @param dimension  one that is drawn
   double drawn(std::size_t dimension, std::uint32_t run) const;
 
@@ -47,8 +50,12 @@ class Plan {
   const Definition& definition_;
   std::uint64_t combinations_ = 1;
   bool has_drawn_ = false;
+  bool names_seeds_ = false;
   std::vector<std::vector<std::uint32_t>> strata_;  // by dimension, where a Latin hypercube is drawn
 };
+
+/// Stands for the run's seed in a value.
+inline constexpr std::string_view kSeedPlace = "{seed}";
 
 /// `base_velocity=2, robot_radius=0.3`; empty where nothing is set.
 std::string text_of(const std::vector<mdl::Setting>& settings);

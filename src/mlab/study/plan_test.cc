@@ -111,6 +111,18 @@ TEST(Definition, TakesNothingThatIsNoValue) {
     EXPECT_TRUE(take(d, field, written_in_option("--" + field, value))) << field << " " << value;
 }
 
+TEST(Plan, PutsTheSeedOfTheRunInAValue) {
+  Definition d = defined({{"runs", "3"}, {"seed", "7"}, {"set", "OVERLAY=maps/{seed}/a_{seed}.odl,b.odl"}});
+  ASSERT_FALSE(settle(d));
+  const Plan plan(d);
+  EXPECT_EQ(plan.combinations(), 2U);
+  EXPECT_TRUE(plan.names_seeds());
+  EXPECT_EQ(text_of(plan.settings({0, 0, 2})), "OVERLAY=maps/9/a_9.odl");
+  EXPECT_EQ(text_of(plan.settings({0, 1, 2})), "OVERLAY=b.odl");
+  EXPECT_EQ(text_of(plan.settings(0U)), "OVERLAY=maps/{seed}/a_{seed}.odl") << "of all its runs";
+  EXPECT_EQ(text_of(plan.extremes(0, true)), "OVERLAY=maps/7/a_7.odl");
+}
+
 TEST(Definition, HasTheConfidenceOfItsRequirement) {
   Definition d = defined({{"require", "success >= 0.9 @ 0.99"}});
   EXPECT_FALSE(settle(d));

@@ -83,8 +83,9 @@ bool Scene::prepare(text::Diagnostics& sink) {
     text::Diagnostics own;
     text::Diagnostics& said = i == 0 ? sink : own;
     Prepared one;
-    one.crew = read(plan_.seed(0), plan_.draws() ? plan_.extremes(i, false) : plan_.settings(i),
-                    one.environment, said);
+    one.crew =
+        read(plan_.seed(0), plan_.draws() ? plan_.extremes(i, false) : plan_.settings({.combination = i}),
+             one.environment, said);
     if (one.crew && plan_.draws()) {
       overlay::EnvironmentChanges unused;
       text::Diagnostics highest;
@@ -98,7 +99,7 @@ bool Scene::prepare(text::Diagnostics& sink) {
       return false;
     }
     name_ = one.crew->mission->name;
-    one.is_of_all_runs = !plan_.draws() && !one.crew->mission->has_obstacles_by_seed;
+    one.is_of_all_runs = !plan_.draws() && !plan_.names_seeds() && !one.crew->mission->has_obstacles_by_seed;
     prepared_.push_back(std::move(one));
   }
   return true;

@@ -1,4 +1,4 @@
-#include "arrival_worlds.h"
+#include "mlab/lang/odl/drawn_worlds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "mlab/base/random.h"
 
-namespace mlab::bench {
+namespace mlab::odl {
 namespace {
 
 std::string disc(double x, double y, double radius) {
@@ -21,25 +21,12 @@ std::string wall(int& number, double x, double y, double to_x, double to_y) {
   return fmt::format("WALL W{} {:.2f} {:.2f} {:.2f} {:.2f} 2\n", ++number, x, y, to_x, to_y);
 }
 
-World field(double coverage) {
-  World out{.size = {1000, 400}, .start = {200, 200}, .goal = {800, 200}};
-  out.settings = fmt::format(
-      "SET OBSTACLE-COVERAGE {}\nSET MIN-OBSTACLE-RADIUS 2\nSET MAX-OBSTACLE-RADIUS 12\nCREATE-OBSTACLES\n",
-      coverage);
-  return out;
-}
-
 // Four by three rooms of 30 m; each door stands anywhere in its wall, and some walls have none.
-World rooms(base::Random& random) {
+DrawnWorld rooms(base::Random& random) {
   constexpr int kAcross = 4;
   constexpr int kUp = 3;
   constexpr double kRoom = 30.0;
-  World out{.size = {kAcross * kRoom, kUp * kRoom},
-            .start = {15, 15},
-            .goal = {105, 75},
-            .step = {0, 1.5},
-            .spacing = 5,
-            .clearance = kIndoors};
+  DrawnWorld out{.size = {kAcross * kRoom, kUp * kRoom}, .start = {15, 15}, .goal = {105, 75}};
   int number = 0;
   // Doors of a tree that joins all rooms, and of half the other walls.
   std::vector<int> group(kAcross * kUp);
@@ -68,10 +55,10 @@ World rooms(base::Random& random) {
     const double left = x * kRoom;
     const double low = y * kRoom;
     if (side.is_upright) {
-      out.overlay +=
+      out.features +=
           wall(number, left, low, left, low + at) + wall(number, left, low + at + width, left, low + kRoom);
     } else {
-      out.overlay +=
+      out.features +=
           wall(number, left, low, left + at, low) + wall(number, left + at + width, low, left + kRoom, low);
     }
   }
@@ -79,13 +66,8 @@ World rooms(base::Random& random) {
 }
 
 // A corridor of 8 m that turns at random, with a pillar here and there.
-World corridor(base::Random& random) {
-  World out{.size = {340, 200},
-            .start = {20, 100},
-            .goal = {320, 0},
-            .step = {-1.5, 0},
-            .spacing = 5,
-            .clearance = kIndoors};
+DrawnWorld corridor(base::Random& random) {
+  DrawnWorld out{.size = {340, 200}, .start = {20, 100}, .goal = {320, 0}};
   constexpr double kHalf = 4.0;
   int number = 0;
   std::string pillars;
@@ -114,25 +96,23 @@ World corridor(base::Random& random) {
     walls += wall(number, last.x, last.y, 340, last.y);
   }
   for (std::size_t i = 0; i + 1 < line.size(); i += 2) {
-    if (line[i + 1].x - line[i].x > 25 && i > 0)
-      pillars +=
-          disc(random.uniform(line[i].x + 10, line[i + 1].x - 10), line[i].y + random.uniform(-2, 2), 0.5);
+    if (line[i + 1].x - line[i].x <= 25 || i == 0) continue;
+    const geom::Point at{random.uniform(line[i].x + 10, line[i + 1].x - 10),
+                         line[i].y + random.uniform(-2, 2)};
+    if (distance(at, out.goal) > 5.0) pillars += disc(at.x, at.y, 0.5);
   }
-  out.overlay = pillars + walls;
+  out.features = pillars + walls;
   return out;
 }
 
 // Ten by eight cells of 12 m, joined by a tree.
-World maze(base::Random& random) {
+DrawnWorld maze(base::Random& random) {
   constexpr int kAcross = 10;
   constexpr int kUp = 8;
   constexpr double kSide = 12.0;
-  World out{.size = {kAcross * kSide, kUp * kSide},
-            .start = {6, 6},
-            .goal = {kAcross * kSide - 6, kUp * kSide - 6},
-            .step = {0, 0.8},
-            .spacing = 3,
-            .clearance = kIndoors};
+  DrawnWorld out{.size = {kAcross * kSide, kUp * kSide},
+                 .start = {6, 6},
+                 .goal = {kAcross * kSide - 6, kUp * kSide - 6}};
   std::array<std::array<bool, kUp>, kAcross> was{};
   std::array<std::array<bool, kUp>, kAcross> is_open_east{};
   std::array<std::array<bool, kUp>, kAcross> is_open_north{};
@@ -165,17 +145,17 @@ World maze(base::Random& random) {
       const double right = static_cast<double>(x + 1) * kSide;
       const double top = static_cast<double>(y + 1) * kSide;
       if (x + 1 < kAcross && !is_open_east.at(x).at(y))
-        out.overlay += wall(number, right, top - kSide, right, top);
+        out.features += wall(number, right, top - kSide, right, top);
       if (y + 1 < kUp && !is_open_north.at(x).at(y))
-        out.overlay += wall(number, right - kSide, top, right, top);
+        out.features += wall(number, right - kSide, top, right, top);
     }
   }
   return out;
 }
 
 // Twelve bows of rocks that lie across the way, most of them open towards those who come.
-World bows(base::Random& random) {
-  World out{.size = {1000, 400}, .start = {100, 200}, .goal = {900, 200}};
+DrawnWorld bows(base::Random& random) {
+  DrawnWorld out{.size = {1000, 400}, .start = {100, 200}, .goal = {900, 200}};
   for (int bow = 0; bow < 12; ++bow) {
     const double x = random.uniform(220, 780);
     const double y = random.uniform(60, 340);
@@ -186,22 +166,22 @@ World bows(base::Random& random) {
       const double angle = towards + 2.6 / rocks * i;
       const double rock_x = x + size * std::cos(angle);
       const double rock_y = y + size * std::sin(angle);
-      if (std::abs(rock_x - 500) < 370) out.overlay += disc(rock_x, rock_y, 5);
+      if (std::abs(rock_x - 500) < 370) out.features += disc(rock_x, rock_y, 5);
     }
   }
   return out;
 }
 
 // Rocks on 3 per cent of the field, and forty discs that go to and fro across it.
-World moving(base::Random& random) {
-  World out{.size = {1000, 400}, .start = {200, 200}, .goal = {800, 200}};
+DrawnWorld traffic(base::Random& random) {
+  DrawnWorld out{.size = {1000, 400}, .start = {200, 200}, .goal = {800, 200}};
   double covered = 0.0;
   while (covered < 0.03 * 1000 * 400) {
     const geom::Point at{random.uniform(0, 1000), random.uniform(0, 400)};
     const double radius = random.uniform(2, 12);
     if (std::min(std::abs(at.x - 200), std::abs(at.x - 800)) < 25) continue;
     covered += std::numbers::pi * radius * radius;
-    out.overlay += disc(at.x, at.y, radius);
+    out.features += disc(at.x, at.y, radius);
   }
   for (int i = 0; i < 40; ++i) {
     const double x = random.uniform(300, 700);
@@ -209,33 +189,50 @@ World moving(base::Random& random) {
     const double radius = random.uniform(1, 4);
     const double to_x = x + random.uniform(-60, 60);
     const double to_y = random.uniform(20, 380);
-    out.overlay += fmt::format("OBSTACLE {:.2f} {:.2f} {:.2f} ROUTE {:.2f} {:.2f} SPEED {:.2f}\n", x, y,
-                               radius, to_x, to_y, random.uniform(0.5, 3));
+    out.features += fmt::format("OBSTACLE {:.2f} {:.2f} {:.2f} ROUTE {:.2f} {:.2f} SPEED {:.2f}\n", x, y,
+                                radius, to_x, to_y, random.uniform(0.5, 3));
   }
   return out;
 }
 
 // Two units that change sides through one gap of 12 m, which is not straight ahead.
-World swap(base::Random& random) {
-  World out{.size = {400, 300}, .start = {100, 150}, .goal = {300, 150}};
-  out.has_others = true;
-  const double gap = random.uniform(60, 240);
+DrawnWorld gap(base::Random& random) {
+  DrawnWorld out{.size = {400, 300}, .start = {100, 150}, .goal = {300, 150}};
+  const double middle = random.uniform(60, 240);
   int number = 0;
-  out.overlay = wall(number, 200, 0, 200, gap - 6) + wall(number, 200, gap + 6, 200, 300);
+  out.features = wall(number, 200, 0, 200, middle - 6) + wall(number, 200, middle + 6, 200, 300);
   return out;
 }
 
 }  // namespace
 
-World world_of(std::string_view name, double coverage, std::uint64_t seed) {
+DrawnWorld drawn_world(WorldKind kind, std::uint64_t seed) {
   base::Random random(seed);
-  if (name == "rooms") return rooms(random);
-  if (name == "corridor") return corridor(random);
-  if (name == "maze") return maze(random);
-  if (name == "bows") return bows(random);
-  if (name == "moving") return moving(random);
-  if (name == "swap") return swap(random);
-  return field(coverage);
+  switch (kind) {
+    case WorldKind::kRooms:
+      return rooms(random);
+    case WorldKind::kCorridor:
+      return corridor(random);
+    case WorldKind::kMaze:
+      return maze(random);
+    case WorldKind::kBows:
+      return bows(random);
+    case WorldKind::kTraffic:
+      return traffic(random);
+    case WorldKind::kGap:
+      break;
+  }
+  return gap(random);
 }
 
-}  // namespace mlab::bench
+std::string text_of(const DrawnWorld& world, WorldKind kind, std::uint64_t seed) {
+  const std::string_view name = kWorldKinds.at(static_cast<std::size_t>(kind)).name;
+  return fmt::format(
+      "-- mlab world {0} --seed {1}\n\nSCENARIO \"{0} {1}\"\nMISSION-AREA {2:g} {3:g}\n\nCONTROL "
+      "MEASURES:\n\n"
+      "PP Start {4:.2f} {5:.2f}\nPP Goal {6:.2f} {7:.2f}\n{8}",
+      name, seed, world.size.width, world.size.height, world.start.x, world.start.y, world.goal.x,
+      world.goal.y, world.features);
+}
+
+}  // namespace mlab::odl
