@@ -45,6 +45,42 @@ TEST(GetOrderReference, PrefersTheCommandToThePreset) {
   EXPECT_EQ(p.output<FormationReference>(), FormationReference::kLeader);
 }
 
+TEST(GetSearchTolerance, ShrinksWithTheSwath) {
+  flow::BehaviorProbe p = probe("GetSearchTolerance");
+  p.set("most", 0.15).step();
+  EXPECT_EQ(p.output<double>(), 0.15);
+  p.percepts.order.swath = 1.0;
+  p.step();
+  EXPECT_DOUBLE_EQ(p.output<double>(), 0.05);
+  p.percepts.order.swath = 20.0;
+  p.step();
+  EXPECT_EQ(p.output<double>(), 0.15);
+}
+
+TEST(GetSearchLookahead, ShrinksWithTheSwath) {
+  flow::BehaviorProbe p = probe("GetSearchLookahead");
+  p.set("most", 2.0).step();
+  EXPECT_EQ(p.output<double>(), 2.0);
+  for (const auto& [swath, lookahead] : {std::pair{1.0, 0.5}, {5.0, 1.0}, {20.0, 2.0}}) {
+    p.percepts.order.swath = swath;
+    p.step();
+    EXPECT_DOUBLE_EQ(p.output<double>(), lookahead) << swath;
+  }
+}
+
+TEST(GetOrderMargin, IsThatOfTheWayOfASearch) {
+  flow::BehaviorProbe p = probe("GetOrderMargin");
+  p.percepts.order.margin = 2.5;
+  p.percepts.order.task = Task::kVisit;
+  p.set("most", 5.0).step();
+  EXPECT_EQ(p.output<double>(), 5.0);
+  p.percepts.order.task = Task::kSearch;
+  p.step();
+  EXPECT_EQ(p.output<double>(), 2.5);
+  p.set("most", 1.0).step();
+  EXPECT_EQ(p.output<double>(), 1.0);
+}
+
 TEST(GetBaseVelocity, MakesTheGoalAlonePullAtTheCruiseSpeed) {
   flow::BehaviorProbe p = probe("GetBaseVelocity");
   p.set("base_velocity", 5.0).set("max_velocity", 7.0).set("goal_gain", 0.8);

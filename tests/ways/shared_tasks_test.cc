@@ -22,18 +22,18 @@ namespace {
 
 using Places = std::vector<geom::Point>;
 
-// Places two metres apart in a rectangle that are free of rocks, and whether somebody has come near enough to
-// see them.
+// Places side by side in a rectangle that are free of rocks, and whether somebody has come near enough to see
+// them.
 class Seen {
  public:
   struct Rock {
     geom::Point center;
     double radius;
   };
-  Seen(geom::Point low, geom::Point high, const std::vector<Rock>& rocks, double swath)
-      : reach_(swath / 2.0) {
-    for (double y = low.y + 1.0; y < high.y; y += 2.0) {
-      for (double x = low.x + 1.0; x < high.x; x += 2.0) {
+  Seen(geom::Point low, geom::Point high, const std::vector<Rock>& rocks, double swath, double step = 2.0)
+      : reach_(swath / 2.0), step_(step) {
+    for (double y = low.y + step / 2.0; y < high.y; y += step) {
+      for (double x = low.x + step / 2.0; x < high.x; x += step) {
         const geom::Point p{x, y};
         if (std::ranges::all_of(rocks,
                                 [&](const Rock& one) { return geom::distance(one.center, p) > one.radius; }))
@@ -42,14 +42,16 @@ class Seen {
     }
     all_ = static_cast<double>(unseen_.size());
   }
-  void look(geom::Point from) {
-    std::erase_if(unseen_, [&](geom::Point p) { return geom::distance(p, from) <= reach_; });
+  void look(geom::Segment from) {
+    std::erase_if(unseen_,
+                  [&](geom::Point p) { return geom::distance(geom::nearest_point(from, p), p) <= reach_; });
   }
-  double area() const { return 4.0 * all_; }  // [m^2]
+  double area() const { return step_ * step_ * all_; }  // [m^2]
   double share() const { return 1.0 - static_cast<double>(unseen_.size()) / all_; }
 
  private:
   double reach_;
+  double step_;  // from place to place [m]
   std::vector<geom::Point> unseen_;
   double all_ = 0.0;
 };
@@ -143,9 +145,14 @@ class SharedTasks : public testing::Test {
   }
   void search(Seen& seen) {
     int cycle = 0;
+    Places before;
     go(3000, [&] {
       if (++cycle % 3 != 0) return;
-      for (std::uint32_t robot = 1; robot <= robots(); ++robot) seen.look(place_of(robot));
+      Places now;
+      for (std::uint32_t robot = 1; robot <= robots(); ++robot) now.push_back(place_of(robot));
+      if (before.empty()) before = now;  // not yet where they start
+      for (std::size_t i = 0; i < now.size(); ++i) seen.look({before[i], now[i]});
+      before = now;
     });
   }
   static std::vector<Seen::Rock> random_rocks(std::uint64_t seed, geom::Point low, geom::Point high,
@@ -354,6 +361,33 @@ TEST_F(SharedTasks, ASearchSeesAllInSharesOfEqualLength) {
   EXPECT_LE(driven(), 1.3 * seen.area() / swath);
   for (const fleet::FleetRobot& robot : run_->fleet().robots())
     EXPECT_LE(run_->world().body(robot.body).distance_driven, 1.25 * driven() / 4.0);
+}
+
+TEST_F(SharedTasks, LanesOfANarrowSwathAreKeptToo) {
+  for (const double swath : {1.0, 2.0, 6.0}) {
+    SCOPED_TRACE(fmt::format("a swath of {} m", swath));
+    make(3, "", fmt::format("SEARCH Field SWATH {}", swath), "OBJ Field 100 100 140 100 140 140 100 140\n");
+    Seen seen({100, 100}, {140, 140}, {}, swath, 0.25);
+    search(seen);
+    EXPECT_TRUE(is_done()) << told_;
+    EXPECT_GE(seen.share(), 0.995);
+  }
+}
+
+TEST_F(SharedTasks, WhatIsBehindADoorIsSearched) {
+  for (const double door : {2.0, 9.0}) {
+    SCOPED_TRACE(fmt::format("a door of {} m", door));
+    make(
+        3, "", "SEARCH Field",
+        "OBJ Field 60 60 200 60 200 180 60 180\n" +
+            fmt::format("WALL low 130 0 130 {}\nWALL high 130 {} 130 400\n", 120 - door / 2, 120 + door / 2));
+    Seen seen({60, 60}, {200, 180}, {}, 10.0);
+    search(seen);
+    EXPECT_TRUE(is_done()) << told_;
+    EXPECT_EQ(told_.find("will see"), std::string::npos) << told_;
+    EXPECT_EQ(contacts(), 0U);
+    EXPECT_GE(seen.share(), 0.995);
+  }
 }
 
 TEST_F(SharedTasks, WhatALostRobotHadIsSearchedByTheOthers) {

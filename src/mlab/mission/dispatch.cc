@@ -196,6 +196,8 @@ effect::Order order_of(const Group& group) {
   order.has_heading = c.heading.has_value();
   order.speed = c.speed;
   order.halted = group.halted;
+  order.swath = c.swath;
+  order.margin = c.margin;
   return {group.members, order, group.command.value};
 }
 

@@ -110,6 +110,7 @@ struct UnitCommand {
   std::vector<geom::Point> route;  ///< FOLLOW; VISIT and PATROL: the places; SEARCH: the outline [m, world]
   std::vector<Written> written;    ///< VISIT and PATROL: for each point of the route
   double swath = 0.0;              ///< SEARCH: what a robot sees at once is so wide [m]
+  double margin = 0.0;             ///< SEARCH: what its planned way keeps from the edges of things [m]
   geom::Offset start_step;         ///< START: from one robot to the next [m]
   percept::Formation formation = percept::Formation::kNone;
   bool has_formation = false;  ///< a FORMATION clause was written

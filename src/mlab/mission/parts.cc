@@ -230,6 +230,7 @@ std::vector<PlannedPart> plan_parts(const State& state, Run& run) {
     SearchWay way = plan_search(*state.mission, *run.command, run.needed, from);
     UnitCommand own = *run.command;
     own.route = std::move(way.route);
+    own.margin = way.margin;
     return {{.members = run.needed,
              .command = CommandRef{std::make_shared<const UnitCommand>(std::move(own))},
              .goal = goal,

@@ -79,12 +79,15 @@ struct Terms {
     ground.bounds = known_bounds(mission.overlay);
     const RobotType* const type = type_of(mission, robot);
     if (type == nullptr) return;
-    clearance = std::max(number_parameter(*type, "robot_radius", kDefaultBodyRadius), 0.0) +
-                std::max(number_parameter(*type, "avoid_obstacle_safety_margin", kDefaultMargin), 0.0);
+    radius = std::max(number_parameter(*type, "robot_radius", kDefaultBodyRadius), 0.0);
+    margin = std::max(number_parameter(*type, "avoid_obstacle_safety_margin", kDefaultMargin), 0.0);
   }
 
+  ways::Clearances clearances() const { return {radius, margin}; }
+
   ways::Ground ground;
-  double clearance = kDefaultBodyRadius + kDefaultMargin;
+  double radius = kDefaultBodyRadius;
+  double margin = kDefaultMargin;
   double swath;
 };
 
@@ -107,8 +110,9 @@ SearchWay plan_search(const Mission& mission, const UnitCommand& command,
                       const std::vector<base::RobotId>& robots, std::optional<geom::Point> from) {
   const Terms terms(mission, command, robots.front());
   const ways::Coverage found =
-      ways::coverage_route(command.route, terms.ground, terms.clearance, terms.swath, from);
+      ways::coverage_route(command.route, terms.ground, terms.clearances(), terms.swath, from);
   SearchWay out;
+  out.margin = std::max(found.clearance - terms.radius, 0.0);
   out.warning = warning_of(found, command, command.place_name);
   if (!found.waypoints.empty()) out.route = cut(found.waypoints, pieces_of(found, command, robots.size()));
   return out;
@@ -117,7 +121,7 @@ SearchWay plan_search(const Mission& mission, const UnitCommand& command,
 std::string warn_of_search(const Mission& mission, const UnitCommand& command, base::RobotId robot,
                            std::optional<geom::Point> from, const std::string& name) {
   const Terms terms(mission, command, robot);
-  auto outlook = ways::coverage_outlook(command.route, terms.ground, terms.clearance, terms.swath, from);
+  auto outlook = ways::coverage_outlook(command.route, terms.ground, terms.clearances(), terms.swath, from);
   if (!outlook) return {};
   outlook->seen = 1.0;  // of what can be seen: what a way would miss is not known yet
   return warning_of(*outlook, command, name);

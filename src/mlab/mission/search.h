@@ -17,11 +17,12 @@ struct SearchWay {
   /// For as many robots: pieces of equal length, four for each robot. Where a point stands twice the next
   /// piece begins. Empty where there is nothing to search [m, world].
   std::vector<geom::Point> route;
+  double margin = 0.0;  ///< that it keeps from the edges of things, where there is room [m]
   std::string warning;  ///< what of the area will not be seen, and why; empty: nothing worth telling
 };
 
 /// Over all of the command's outline that is free of what the map shows and that a way leads to, at the
-/// clearance that its first robot keeps.
+/// margin that its first robot keeps, or at less where less would be seen otherwise.
 /// @param command  a SEARCH
 /// @param robots   who shares it, at least one
 /// @param from     where the first of them is; nothing: nobody knows [m, world]

@@ -8,8 +8,9 @@ namespace mlab::mission {
 namespace {
 
 auto fields(const UnitCommand& c) {
-  return std::tie(c.unit, c.robots, c.task, c.place_name, c.goal, c.route, c.swath, c.start_step, c.formation,
-                  c.has_formation, c.technique, c.speed, c.heading, c.phase_lines, c.on_completion, c.until);
+  return std::tie(c.unit, c.robots, c.task, c.place_name, c.goal, c.route, c.swath, c.margin, c.start_step,
+                  c.formation, c.has_formation, c.technique, c.speed, c.heading, c.phase_lines,
+                  c.on_completion, c.until);
 }
 
 }  // namespace

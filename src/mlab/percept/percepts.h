@@ -158,6 +158,8 @@ struct Order {
   bool has_heading = false;
   double speed = 0.0;   ///< cruise speed of the unit [m/s]; 0: the robot's own
   bool halted = false;  ///< hold where you are (overwatch, phase line, pause of a bound)
+  double swath = 0.0;   ///< of a SEARCH: what a robot sees at once is so wide [m]; else 0
+  double margin = 0.0;  ///< of a SEARCH: what its way keeps from the edges of things [m]; else 0
 };
 
 /// This robot's unit under the order in force. Comes from the unit, once per cycle, the same for all its

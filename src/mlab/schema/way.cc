@@ -18,6 +18,7 @@
 #include <fmt/core.h>
 
 #include "mlab/schema/route.h"
+#include "mlab/ways/clearances.h"
 #include "mlab/ways/planner.h"
 
 namespace mlab::schema {
@@ -26,9 +27,6 @@ namespace {
 using ways::PlannedWay;
 using ways::WayEnd;
 
-// Shares of the margin that a way may keep.
-constexpr std::array kShares = {1.0, 0.5, 0.25};
-constexpr double kLeastMargin = 0.1;  // [m]
 // After so much a search is given up, as Planner::effort: some hundredths of a second.
 constexpr std::uint64_t kMostEffort = 4'000'000;
 
@@ -155,15 +153,10 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
     out.end = WayEnd::kGoal;
     return out;
   }
-  const double least = radius + std::min(margin, kLeastMargin);
+  const ways::Clearances clearances(radius, margin);
+  const double least = clearances.least();
   const auto tight = sites().at(ground, least);
-  std::array<double, kShares.size() + 1> clearances{};
-  std::size_t count = 0;
-  for (const double share : kShares) {
-    if (radius + share * margin > least) clearances[count++] = radius + share * margin;
-  }
-  clearances[count++] = least;
-  for (const double clearance : std::span(clearances).first(count)) {
+  for (const double clearance : clearances.all()) {
     const auto site = sites().at(ground, clearance);
     const std::lock_guard lock(site->mutex);
     const auto begin = free_beside(*tight, site->clearing(), from);

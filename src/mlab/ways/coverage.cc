@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "mlab/ways/search_route.h"
@@ -14,6 +15,9 @@ namespace {
 // What is told by cells is a little more or less; so somewhat more is seen than is wanted.
 constexpr double kUnseen = 0.9 * (1.0 - Coverage::kWanted);
 
+// A share of the area that may be out of sight at a wider clearance, and seen at the least one.
+constexpr double kLost = 0.0005;
+
 // About five seconds: a square of 1,000 m with 10 % of obstacles takes half of it at a swath of 10 m.
 constexpr std::uint64_t kMostEffort = 250'000'000;
 // A tenth of a second.
@@ -23,12 +27,14 @@ bool is_finite(geom::Point p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
-bool is_usable(std::span<const geom::Point> outline, const Ground& ground, double clearance, double swath) {
+bool is_usable(std::span<const geom::Point> outline, const Ground& ground, const Clearances& clearances,
+               double swath) {
   const auto is_disc = [](const Round& disc) {
     return is_finite(disc.center) && std::isfinite(disc.radius) && disc.radius >= 0.0;
   };
   const auto is_wall = [](const geom::Segment& wall) { return is_finite(wall.a) && is_finite(wall.b); };
-  return std::isfinite(clearance) && clearance >= 0.0 && std::isfinite(swath) && swath > 0.0 &&
+  const auto is_clearance = [](double one) { return std::isfinite(one) && one >= 0.0; };
+  return std::ranges::all_of(clearances.all(), is_clearance) && std::isfinite(swath) && swath > 0.0 &&
          std::ranges::all_of(outline, is_finite) && std::ranges::all_of(ground.discs, is_disc) &&
          std::ranges::all_of(ground.walls, is_wall);
 }
@@ -42,9 +48,9 @@ void improve(SearchRoute& route, std::size_t most_unseen) {
 
 // The area in cells, and which of them can be seen.
 struct Outlook {
-  Outlook(std::span<const geom::Point> outline, const Ground& ground, double clearance, double swath,
-          std::optional<geom::Point> from, std::uint64_t most_effort) {
-    if (!is_usable(outline, ground, clearance, swath)) {
+  Outlook(std::span<const geom::Point> outline, const Ground& ground, const Clearances& clearances,
+          double swath, std::optional<geom::Point> from, std::uint64_t most_effort) {
+    if (!is_usable(outline, ground, clearances, swath)) {
       told.end = CoverageEnd::kUnusable;
       return;
     }
@@ -55,7 +61,8 @@ struct Outlook {
       told.end = CoverageEnd::kTooLarge;
       return;
     }
-    planner.emplace(ground, clearance);
+    planner.emplace(ground, clearances);
+    told.clearance = clearances.widest();
     is_known = grid->enter(outline, ground, *planner, from, most_effort);
     told.free_area = static_cast<double>(grid->to_search()) * grid->cell_area();
     if (!is_known || grid->to_see() == 0) return;
@@ -66,24 +73,43 @@ struct Outlook {
   Coverage told;         ///< `kPartly`: grid and planner are there, and something can be seen
   bool is_known = true;  ///< false: given up
   std::optional<SearchGrid> grid;
-  std::optional<Planner> planner;
+  std::optional<BendingPlanner> planner;
 };
+
+/// At the widest clearance from which about as much can be seen as from the least one.
+std::unique_ptr<Outlook> widest_outlook(std::span<const geom::Point> outline, const Ground& ground,
+                                        const Clearances& clearances, double swath,
+                                        std::optional<geom::Point> from, std::uint64_t most_effort) {
+  const auto at = [&](std::size_t number) {
+    return std::make_unique<Outlook>(outline, ground, clearances.bent(number), swath, from, most_effort);
+  };
+  const std::size_t last = clearances.all().size() - 1;
+  auto out = at(0);
+  if (last == 0 || !out->planner || out->told.visible >= 1.0 - kLost) return out;
+  auto least = at(last);
+  if (!least->is_known) return least;
+  const auto sees_enough = [&] { return out->told.visible >= least->told.visible - kLost; };
+  for (std::size_t number = 1; number < last && out->is_known && !sees_enough(); ++number) out = at(number);
+  return !out->is_known || sees_enough() ? std::move(out) : std::move(least);
+}
 
 }  // namespace
 
 std::optional<Coverage> coverage_outlook(std::span<const geom::Point> outline, const Ground& ground,
-                                         double clearance, double swath, std::optional<geom::Point> from) {
-  const Outlook outlook(outline, ground, clearance, swath, from, kMostOutlookEffort);
-  return outlook.is_known ? std::optional(outlook.told) : std::nullopt;
+                                         const Clearances& clearances, double swath,
+                                         std::optional<geom::Point> from) {
+  const auto outlook = widest_outlook(outline, ground, clearances, swath, from, kMostOutlookEffort);
+  return outlook->is_known ? std::optional(outlook->told) : std::nullopt;
 }
 
-Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground, double clearance,
-                        double swath, std::optional<geom::Point> from) {
-  Outlook outlook(outline, ground, clearance, swath, from, Planner::kNoLimit);
-  Coverage out = outlook.told;
+Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground,
+                        const Clearances& clearances, double swath, std::optional<geom::Point> from) {
+  const auto outlook = widest_outlook(outline, ground, clearances, swath, from, Planner::kNoLimit);
+  Coverage out = outlook->told;
   if (out.end != CoverageEnd::kPartly) return out;
-  SearchGrid& grid = *outlook.grid;
-  Planner& planner = *outlook.planner;
+  SearchGrid& grid = *outlook->grid;
+  BendingPlanner& planner = *outlook->planner;
+  planner.know_rooms([&](geom::Point p) { return grid.room_of(p, planner.clearing()); });
   const auto pieces = lane_pieces_in_order(grid, planner);
   SearchRoute route(grid, planner, pieces, kMostEffort);
   const auto to_see = static_cast<double>(grid.to_see());

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mlab/ways/clearances.h"
 #include "mlab/ways/ground.h"
 
 namespace mlab::ways {
@@ -25,8 +26,11 @@ struct Coverage {
   static constexpr std::size_t kMostWaypoints = 10'000;
 
   CoverageEnd end = CoverageEnd::kNothingToSearch;
-  /// Each a free place; from each to the next as `Planner` plans it. Empty where there is none [m, world].
+  /// Each a free place; from each to the next as `BendingPlanner` plans it. Empty where there is none [m,
+  /// world].
   std::vector<geom::Point> waypoints;
+  /// That it keeps from everything, where there is room [m].
+  double clearance = 0.0;
   double length = 0.0;     ///< of the planned ways between them, all together [m]
   double free_area = 0.0;  ///< inside of the outline and the bounds, outside of things [m^2]
   double visible = 0.0;    ///< share of that which can be seen from where a robot may be, 0..1
@@ -35,14 +39,16 @@ struct Coverage {
 
 /// A way by which one robot sees all of an area, as far as that can be: it comes within half a swath of every
 /// place. Lanes side by side, to and fro, round what stands there; then what they miss is added where it
-/// costs least, and what sees nothing new is left out. Places to which no way leads, and places too close to
-/// things, can't be seen. Very large areas with very many things are not looked at to the end: `seen` says
-/// it. The way may leave the outline by less than half a swath, but not the bounds.
+/// costs least, and what sees nothing new is left out. It keeps the widest clearance from which about as much
+/// can be seen as from the least one, and less where no way is so wide: it passes every door that the least
+/// one passes. Places to which no way leads, and places too close to things, can't be seen. Very large areas
+/// with very many things are not looked at to the end: `seen` says it. The way may leave the outline by less
+/// than half a swath, but not the bounds.
 ///
 /// @param outline    corners of a polygon, in either sense [m, world]; where it crosses itself, what lies
 /// inside of
 ///                   an even number of rounds is outside
-/// @param clearance  that the robot's centre keeps from everything [m], >= 0
+/// @param clearances  what the robot's centre keeps from everything, as far as there is room
 /// @param swath      how wide a robot sees, half of it to either side [m], > 0
 /// @param from       where the robots are; without, of parts between which no way leads the one counts in
 ///                   which there is most to see [m, world]
@@ -52,14 +58,15 @@ struct Coverage {
 ///          2000; W. Huang, Optimal Line-sweep-based Decompositions for Coverage Algorithms, ICRA 2001
 ///          (direction of the lanes); E. Galceran, M. Carreras, A survey on coverage path planning for
 ///          robotics, Robotics and Autonomous Systems 61(12), 2013
-Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground, double clearance,
-                        double swath, std::optional<geom::Point> from = std::nullopt);
+Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground,
+                        const Clearances& clearances, double swath,
+                        std::optional<geom::Point> from = std::nullopt);
 
 /// What of an area could be seen, without looking for a way by which it is: `kPartly` with its size and the
 /// visible share, where there is something to see. Nothing where it would take longer than some tenths of a
 /// second to know.
 std::optional<Coverage> coverage_outlook(std::span<const geom::Point> outline, const Ground& ground,
-                                         double clearance, double swath,
+                                         const Clearances& clearances, double swath,
                                          std::optional<geom::Point> from = std::nullopt);
 
 }  // namespace mlab::ways

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/ways/bending_planner.h"
 #include "mlab/ways/testing/searches.h"
 
 namespace mlab::ways {
@@ -65,10 +66,10 @@ struct Walked {
   double room = 1e9;
   double ratio = 0.0;  // of its length, and of what a straight way needs for as large an area
 };
-Walked walked(const Coverage& coverage, const Ground& ground, double clearance, double swath,
+Walked walked(const Coverage& coverage, const Ground& ground, const Clearances& clearances, double swath,
               SeenPlaces& places) {
   Walked out;
-  Planner planner(ground, clearance);
+  BendingPlanner planner(ground, clearances);
   if (!coverage.waypoints.empty()) places.pass({coverage.waypoints.front(), coverage.waypoints.front()});
   for (std::size_t i = 1; i < coverage.waypoints.size(); ++i) {
     const auto way = planner.find(coverage.waypoints[i - 1], coverage.waypoints[i]);
@@ -195,6 +196,73 @@ TEST(Coverage, FindsTheDoorOfARoom) {
   const Walked real = walked(out, ground, 1.0, 10.0, places);
   EXPECT_GE(real.seen, Coverage::kWanted);
   EXPECT_LE(real.ratio, 1.5);
+}
+
+/// Walls from corner to corner that hang together.
+void add_walls(Ground& ground, const Outline& corners) {
+  for (std::size_t i = 1; i < corners.size(); ++i) ground.walls.push_back({corners[i - 1], corners[i]});
+}
+
+/// A square of 100 m with walls round it and two across, which make four rooms with doors between them.
+Ground four_rooms(double door) {
+  Ground out;
+  add_walls(out, {{0.0, 0.0}, {100.0, 0.0}, {100.0, 100.0}, {0.0, 100.0}, {0.0, 0.0}});
+  const double low = 25.0 - 0.5 * door;
+  const double high = 75.0 - 0.5 * door;
+  add_walls(out, {{50.0, 0.0}, {50.0, low}});
+  add_walls(out, {{50.0, low + door}, {50.0, high}});
+  add_walls(out, {{50.0, high + door}, {50.0, 100.0}});
+  add_walls(out, {{0.0, 50.0}, {low, 50.0}});
+  add_walls(out, {{low + door, 50.0}, {100.0, 50.0}});
+  return out;
+}
+
+TEST(Coverage, GoesThroughEveryDoorThatTheLeastClearancePasses) {
+  const Clearances clearances(0.2, 5.0);
+  const Outline outline = rectangle(100.0, 100.0);
+  for (const double door : {1.2, 2.0, 4.0, 6.0, 9.0, 10.0, 11.0}) {
+    SCOPED_TRACE("a door of " + std::to_string(door) + " m");
+    const Ground ground = four_rooms(door);
+    const Coverage out = coverage_route(outline, ground, clearances, 10.0, geom::Point{20.0, 20.0});
+    EXPECT_EQ(out.end, CoverageEnd::kCovered);
+    EXPECT_GT(out.visible, 0.999);
+    SeenPlaces places(outline, ground, clearances.least(), 10.0, 100.0, 0.4);
+    const Walked real = walked(out, ground, clearances.bent(1), 10.0, places);
+    EXPECT_GE(real.seen, Coverage::kWanted);
+    EXPECT_LE(real.ratio, 1.5);
+    EXPECT_GE(real.room, 0.9 * clearances.least());
+  }
+}
+
+TEST(Coverage, KeepsTheWidestClearanceFromWhichAllIsSeen) {
+  const Clearances clearances(0.2, 5.0);
+  const Ground ground = four_rooms(2.0);
+  const auto kept = [&](double swath) {
+    return coverage_route(rectangle(100.0, 100.0), ground, clearances, swath).clearance;
+  };
+  EXPECT_EQ(kept(20.0), clearances.widest());
+  EXPECT_EQ(kept(10.0), 2.7);
+  EXPECT_EQ(kept(2.0), clearances.least());
+  EXPECT_EQ(coverage_route(rectangle(100.0, 100.0), {}, clearances, 2.0).clearance, clearances.widest());
+}
+
+TEST(Coverage, SearchesRoomsThatAreTooNarrowForTheWholeMargin) {
+  Ground ground;  // four of 6 m by 8 m beside a corridor of 4 m
+  add_walls(ground, {{24.0, 4.0}, {24.0, 12.0}, {0.0, 12.0}, {0.0, 0.0}, {24.0, 0.0}});
+  for (const double x : {0.0, 6.0, 12.0, 18.0}) {
+    add_walls(ground, {{x, 12.0}, {x, 4.0}, {x + 2.0, 4.0}});
+    add_walls(ground, {{x + 3.0, 4.0}, {x + 6.0, 4.0}});
+  }
+  const Clearances clearances(0.2, 5.0);
+  const Outline outline = rectangle(24.0, 12.0);
+  const Coverage out = coverage_route(outline, ground, clearances, 3.0, geom::Point{40.0, 2.0});
+  EXPECT_EQ(out.end, CoverageEnd::kCovered);
+  EXPECT_GT(out.visible, 0.99);
+  for (const double x : {3.0, 9.0, 15.0, 21.0}) {
+    EXPECT_TRUE(std::ranges::any_of(out.waypoints, [&](geom::Point p) {
+      return std::abs(p.x - x) < 3.0 && p.y > 5.0;
+    })) << x;
+  }
 }
 
 TEST(Coverage, StaysWithinBounds) {

@@ -56,7 +56,7 @@ LanePiece piece_of(const SearchGrid& grid, int first, int last, int lane) {
 
 class LaneOrder {
  public:
-  LaneOrder(const SearchGrid& grid, Planner& planner) : grid_(grid), planner_(planner) {
+  LaneOrder(const SearchGrid& grid, BendingPlanner& planner) : grid_(grid), planner_(planner) {
     for (int lane = 0; lane < grid.lanes().count; ++lane) enter_lane(lane);
     make_cells();
     line_up_cells();
@@ -238,7 +238,7 @@ class LaneOrder {
   }
 
   const SearchGrid& grid_;
-  Planner& planner_;
+  BendingPlanner& planner_;
   std::vector<LanePiece> pieces_;  // from low to high
   std::vector<Stretch> stretches_;
   std::vector<LaneCell> cells_;
@@ -248,7 +248,7 @@ class LaneOrder {
 
 }  // namespace
 
-std::vector<LanePiece> lane_pieces_in_order(const SearchGrid& grid, Planner& planner) {
+std::vector<LanePiece> lane_pieces_in_order(const SearchGrid& grid, BendingPlanner& planner) {
   return LaneOrder(grid, planner).pieces();
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mlab/ways/planner.h"
+#include "mlab/ways/bending_planner.h"
 #include "mlab/ways/search_grid.h"
 
 /// For sources of this module only.
@@ -16,6 +16,6 @@ using LanePiece = geom::Segment;
 /// then improved by turning round parts of the order, and by moving some pieces elsewhere.
 /// @source  H. Choset, Autonomous Robots 9(3), 2000 (boustrophedon cells); S. Lin, Bell System Technical
 ///          Journal 44(10), 1965 (turning round); I. Or, Northwestern University, 1976 (moving)
-std::vector<LanePiece> lane_pieces_in_order(const SearchGrid& grid, Planner& planner);
+std::vector<LanePiece> lane_pieces_in_order(const SearchGrid& grid, BendingPlanner& planner);
 
 }  // namespace mlab::ways

@@ -48,7 +48,7 @@ int SearchGrid::cell_of(double at, int count) {
   return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
 }
 
-bool SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner,
+bool SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, BendingPlanner& planner,
                        std::optional<geom::Point> from, std::uint64_t most_effort) {
   enter_inside(outline);
   const Clearing things(ground, 0.0);
@@ -95,7 +95,8 @@ void SearchGrid::enter_inside(std::span<const geom::Point> outline) {
   }
 }
 
-bool SearchGrid::enter_parts(Planner& planner, std::optional<geom::Point> from, std::uint64_t most_effort) {
+bool SearchGrid::enter_parts(BendingPlanner& planner, std::optional<geom::Point> from,
+                             std::uint64_t most_effort) {
   const Clearing& clearing = planner.clearing();
   constexpr std::int32_t kFree = -1;
   for (int row = 0; row < rows_; ++row) {
@@ -112,6 +113,7 @@ bool SearchGrid::enter_parts(Planner& planner, std::optional<geom::Point> from, 
       places.push_back(middle(column, row));
     }
   }
+  room_ = part_;
   return join_parts(sizes, places, planner, from, most_effort);
 }
 
@@ -139,15 +141,17 @@ std::size_t SearchGrid::fill_part(int column, int row, std::int32_t part, const 
   return out;
 }
 
-/// Parts between which ways lead outside of the grid, or through gaps narrower than a cell, are one.
+/// Parts between which ways lead outside of the grid, through gaps narrower than a cell, or at a less
+/// clearance, are one.
 bool SearchGrid::join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
-                            Planner& planner, std::optional<geom::Point> from, std::uint64_t most_effort) {
+                            BendingPlanner& planner, std::optional<geom::Point> from,
+                            std::uint64_t most_effort) {
   std::vector<std::size_t> order;
   for (std::size_t part = 2; part < sizes.size(); ++part) order.push_back(part);
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t part) { return sizes[part]; });
   if (order.size() > kMostParts) order.resize(kMostParts);
   std::vector<std::int32_t> to(sizes.size(), 0);
-  if (from) from = planner.clearing().nearest_free(*from);
+  if (from) from = planner.nearest_free(*from);
   for (const std::size_t part : order) {
     if (!from) from = places[part];
     // From the part, which is small where no way leads: then that is found out soon.
@@ -219,18 +223,29 @@ void SearchGrid::look_from(LanePlace at) {
   });
 }
 
-bool SearchGrid::may_be_at(geom::Point at, const Clearing& clearing) const {
+template <class IsFor>
+std::optional<std::size_t> SearchGrid::cell_beside(geom::Point at, const Clearing& clearing,
+                                                   IsFor&& is_for) const {
   const LanePlace p = lanes_.to_lanes(at);
   const double column = std::floor(p.along / step_along_) + margin_columns_;
   const double row = std::floor(p.across / step_across_) + margin_rows_;
-  if (!(column >= 1 && row >= 1 && column < columns_ - 1 && row < rows_ - 1)) return false;
-  if (!clearing.is_free(at)) return false;
+  if (!(column >= 1 && row >= 1 && column < columns_ - 1 && row < rows_ - 1)) return std::nullopt;
+  if (!clearing.is_free(at)) return std::nullopt;
   for (int y = static_cast<int>(row) - 1; y <= static_cast<int>(row) + 1; ++y) {
     for (int x = static_cast<int>(column) - 1; x <= static_cast<int>(column) + 1; ++x) {
-      if (may_be_at(index(x, y)) && clearing.is_free(geom::Segment{middle(x, y), at})) return true;
+      if (is_for(index(x, y)) && clearing.is_free(geom::Segment{middle(x, y), at})) return index(x, y);
     }
   }
-  return false;
+  return std::nullopt;
+}
+
+bool SearchGrid::may_be_at(geom::Point at, const Clearing& clearing) const {
+  return cell_beside(at, clearing, [&](std::size_t cell) { return may_be_at(cell); }).has_value();
+}
+
+std::int32_t SearchGrid::room_of(geom::Point at, const Clearing& clearing) const {
+  const auto cell = cell_beside(at, clearing, [&](std::size_t one) { return room_[one] != 0; });
+  return cell ? room_[*cell] : -1;
 }
 
 std::optional<geom::Point> SearchGrid::lookout(int column, int row) const {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "mlab/ways/bending_planner.h"
 #include "mlab/ways/clearing.h"
 #include "mlab/ways/lanes.h"
-#include "mlab/ways/planner.h"
 
 /// For sources of this module only.
 namespace mlab::ways {
@@ -28,7 +28,7 @@ class SearchGrid {
   ///              ground in which it sees most [m, world]
   /// @param most_effort  of the planner
   /// @return  false: given up, since that was not enough
-  bool enter(std::span<const geom::Point> outline, const Ground& ground, Planner& planner,
+  bool enter(std::span<const geom::Point> outline, const Ground& ground, BendingPlanner& planner,
              std::optional<geom::Point> from, std::uint64_t most_effort);
 
   const Lanes& lanes() const { return lanes_; }
@@ -58,6 +58,8 @@ class SearchGrid {
   bool may_be_at(std::size_t cell) const { return part_[cell] == kMain; }
   /// Whether a robot comes there from a cell beside it.
   bool may_be_at(geom::Point at, const Clearing& clearing) const;
+  /// The number of the cells that hang together among which a place for a robot is; -1: not known.
+  std::int32_t room_of(geom::Point at, const Clearing& clearing) const;
   /// A place from which a cell can be seen, if there is one; the nearest of those that are known.
   std::optional<geom::Point> lookout(int column, int row) const;
 
@@ -68,14 +70,17 @@ class SearchGrid {
   static constexpr std::int32_t kMain = 1;
 
   static int cell_of(double at, int count);
+  /// A cell for robots that a place is in or beside, with nothing in between.
+  template <class IsFor>
+  std::optional<std::size_t> cell_beside(geom::Point at, const Clearing& clearing, IsFor&& is_for) const;
   LanePlace place(int column, int row) const {
     return {(column - margin_columns_ + 0.5) * step_along_, (row - margin_rows_ + 0.5) * step_across_};
   }
   void enter_inside(std::span<const geom::Point> outline);
-  bool enter_parts(Planner& planner, std::optional<geom::Point> from, std::uint64_t most_effort);
+  bool enter_parts(BendingPlanner& planner, std::optional<geom::Point> from, std::uint64_t most_effort);
   std::size_t fill_part(int column, int row, std::int32_t part, const Clearing& clearing);
   bool join_parts(const std::vector<std::size_t>& sizes, const std::vector<geom::Point>& places,
-                  Planner& planner, std::optional<geom::Point> from, std::uint64_t most_effort);
+                  BendingPlanner& planner, std::optional<geom::Point> from, std::uint64_t most_effort);
   void enter_edges(const Ground& ground, const Clearing& clearing);
   void enter_edge(geom::Point at, const Clearing& clearing);
   void look_from(LanePlace at);
@@ -97,6 +102,7 @@ class SearchGrid {
   std::vector<std::uint16_t> can_be_seen_;  // as wide as what is counted: faster
   std::vector<std::uint16_t> seen_;
   std::vector<std::int32_t> part_;     // 0: no place for a robot
+  std::vector<std::int32_t> room_;     // cells that hang together have the same; 0: no place for a robot
   std::vector<geom::Point> on_edges_;  // places for a robot close to things
   std::size_t to_search_ = 0, visible_ = 0, to_see_ = 0, unseen_ = 0;
 };

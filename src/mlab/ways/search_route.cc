@@ -29,7 +29,7 @@ double metres_of(double cells, const SearchGrid& grid) {
 
 }  // namespace
 
-SearchRoute::SearchRoute(SearchGrid& grid, Planner& planner, std::span<const LanePiece> pieces,
+SearchRoute::SearchRoute(SearchGrid& grid, BendingPlanner& planner, std::span<const LanePiece> pieces,
                          std::uint64_t most_effort)
     : grid_(grid), planner_(planner), most_effort_(most_effort) {
   for (const LanePiece& piece : pieces) append(piece);

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "mlab/ways/bending_planner.h"
 #include "mlab/ways/lane_order.h"
-#include "mlab/ways/planner.h"
 #include "mlab/ways/search_grid.h"
 
 /// For sources of this module only.
@@ -20,7 +20,7 @@ class SearchRoute {
  public:
   /// @param grid, planner  outlive this
   /// @param most_effort  after so much it is improved no more, and leads as it does then
-  SearchRoute(SearchGrid& grid, Planner& planner, std::span<const LanePiece> pieces,
+  SearchRoute(SearchGrid& grid, BendingPlanner& planner, std::span<const LanePiece> pieces,
               std::uint64_t most_effort);
 
   /// Leaves stops out, as long as no more than `most_unseen` cells are unseen, where each metre saved costs
@@ -98,7 +98,7 @@ class SearchRoute {
   /// What the planner counts as one takes as long as so many stops.
   static constexpr std::uint64_t kStopsOfAnEffort = 10;
   SearchGrid& grid_;
-  Planner& planner_;
+  BendingPlanner& planner_;
   std::list<Stop> stops_;
   /// Stops by where they are, in square boxes; as they were when detours began to be added, and those added
   /// since.

@@ -181,8 +181,8 @@ void encode(const percept::KnownGround& ground, wire::Ground& out) {
 }
 
 void encode(const percept::Order& order, wire::Order& out) {
-  const auto& [sequence, task, goal, route, formation, reference, heading, has_heading, speed, halted] =
-      order;
+  const auto& [sequence, task, goal, route, formation, reference, heading, has_heading, speed, halted, swath,
+               margin] = order;
   out.set_sequence(sequence);
   out.set_task(static_cast<wire::Order::Task>(task));
   out.set_goal_x(goal.x);
@@ -197,6 +197,8 @@ void encode(const percept::Order& order, wire::Order& out) {
   out.set_has_heading(has_heading);
   out.set_speed(speed);
   out.set_halted(halted);
+  out.set_swath(swath);
+  out.set_margin(margin);
 }
 
 void encode(const percept::UnitPercept& unit, wire::Unit& out) {
@@ -477,7 +479,9 @@ std::optional<std::string> DecodedPercepts::decode_order(const wire::Order& mess
                      message.heading(),
                      message.has_heading(),
                      message.speed(),
-                     message.halted()};
+                     message.halted(),
+                     message.swath(),
+                     message.margin()};
   return std::nullopt;
 }
 
