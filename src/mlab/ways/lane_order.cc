@@ -16,6 +16,8 @@ constexpr double kNarrowGap = 2.5;
 constexpr std::size_t kWindow = 60;    // of the order, in which it is improved
 constexpr std::size_t kMostMoved = 3;  // pieces at once
 constexpr int kMostImprovements = 12;  // times that all of the order is gone through
+// Of the planner, after which the order is improved no more: some seconds.
+constexpr std::uint64_t kMostOrderEffort = 12'000'000;
 
 /// A part of a lane with pieces whose gaps are narrow: [from, to] along the lane [m].
 struct Stretch {
@@ -60,6 +62,7 @@ class LaneOrder {
     for (int lane = 0; lane < grid.lanes().count; ++lane) enter_lane(lane);
     make_cells();
     line_up_cells();
+    most_effort_ = planner.effort() + kMostOrderEffort;
     for (int i = 0; i < kMostImprovements && improve(); ++i) {
     }
   }
@@ -179,7 +182,7 @@ class LaneOrder {
 
   bool improve() {
     bool out = false;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
+    for (std::size_t i = 0; i < order_.size() && planner_.effort() < most_effort_; ++i) {
       for (std::size_t j = i; j < std::min(order_.size(), i + kWindow); ++j) out |= turn_round(i, j);
       for (std::size_t j = i; j < std::min(order_.size(), i + kMostMoved); ++j) out |= move(i, j);
     }
@@ -239,6 +242,7 @@ class LaneOrder {
 
   const SearchGrid& grid_;
   BendingPlanner& planner_;
+  std::uint64_t most_effort_ = 0;  // of the planner
   std::vector<LanePiece> pieces_;  // from low to high
   std::vector<Stretch> stretches_;
   std::vector<LaneCell> cells_;
