@@ -188,6 +188,28 @@ TEST(NextErrand, TakesOnePieceAtATimeAndLeavesOthersTheirShares) {
   EXPECT_TRUE(asked(p, Kind::kBid).empty());
 }
 
+TEST(NextErrand, LeavesTheLastPieceOfAShareToWhoIsOnTheOneBefore) {
+  Unit unit{.route = {}, .task = Task::kSearch};
+  for (int i = 0; i < 8; ++i) {
+    unit.route.push_back({i * 10.0, 0});
+    unit.route.push_back({i * 10.0 + 10.0, 0});
+  }
+  for (std::uint32_t i = 0; i < 8; ++i) unit.add(i, ContractState::kDone, i < 4 ? 1 : 2);
+  unit.contracts[2].state = ContractState::kStarted;
+  unit.contracts[3].state = ContractState::kOpen;
+  unit.contracts[3].contractor = {};
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.step();
+  EXPECT_TRUE(asked(p, Kind::kBid).empty());
+  unit.contracts[2].contractor = {};  // lost
+  unit.contracts[2].state = ContractState::kOpen;
+  p.action = {};
+  unit.tell(p);
+  p.step();
+  ASSERT_EQ(asked(p, Kind::kBid).size(), 1U);
+  EXPECT_EQ(asked(p, Kind::kBid)[0].object.value, 3U);
+}
+
 TEST(ErrandsLeft, CountsThoseThatAreNotDone) {
   Unit unit{.route = {{0, 0}, {14, 3}, {1, 1}}};
   unit.add(0, ContractState::kDone, 1).add(1, ContractState::kAwarded, 2);

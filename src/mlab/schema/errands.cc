@@ -96,6 +96,13 @@ bool Errands::is_share_of_another(std::size_t errand, base::RobotId robot) const
   return false;
 }
 
+bool Errands::is_left_to_another(std::size_t errand, base::RobotId robot) const {
+  const bool is_last = (errand + 1) % percept::kPiecesOfAShare == 0 || errand + 1 == count_;
+  if (!is_last || errand % percept::kPiecesOfAShare == 0) return false;
+  const Contract* before = contracts_[errand - 1];
+  return before != nullptr && before->contractor != robot && is_held(*before, before->contractor);
+}
+
 void LegWatch::head_for_next(double time) {
   least_ = std::numeric_limits<double>::infinity();
   nearer_at_ = time;
@@ -206,6 +213,7 @@ void bid_for_pieces(const Percepts& percepts, const Errands& errands, const Erra
     const Contract* contract = errands.contract(i);
     if (i / percept::kPiecesOfAShare < next_share) continue;
     if (contract == nullptr || !may_bid(*contract, percepts.id) || given_back.has(i)) continue;
+    if (errands.is_left_to_another(i, percepts.id)) continue;
     next_share = i / percept::kPiecesOfAShare + 1;
     const double cost = geom::distance(percepts.pose.position, contract->place) +
                         (errands.is_share_of_another(i, percepts.id) ? aside : 0.0);

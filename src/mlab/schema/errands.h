@@ -35,6 +35,9 @@ class Errands {
   std::optional<std::size_t> errand_of(const percept::Contract& contract) const;
   /// Whether that robot has one that is not done.
   bool has_one(base::RobotId robot) const;
+  /// Whether a piece is the last one of its share that nobody has, and somebody else is on the one before: he
+  /// goes straight on with it, before who would come from elsewhere.
+  bool is_left_to_another(std::size_t errand, base::RobotId robot) const;
   /// Whether another robot than this has, or had, one of the pieces of the share that this one belongs to.
   bool is_share_of_another(std::size_t errand, base::RobotId robot) const;
 
