@@ -20,25 +20,28 @@ constexpr int kSidesOfACircle = 32;
 constexpr double kWorthTelling = 0.98;  // a smaller share of the area that is seen
 constexpr double kOffWay = 0.15;        // a robot may be so far beside its lane [m]
 
-// Cut into pieces of equal length; where one ends and the next begins the point stands twice.
-std::vector<geom::Point> cut(const std::vector<geom::Point>& way, std::size_t pieces) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += geom::distance(way[i - 1], way[i]);
-  const double piece = length / static_cast<double>(pieces);
-  std::vector<geom::Point> out = {way.front()};
+// Cut into pieces of equal length; where one ends and the next begins the point stands twice. Cut where the
+// way leads round something, too: a straight line from waypoint to waypoint may lead through it.
+std::vector<geom::Point> cut(const ways::Coverage& found, std::size_t pieces) {
+  const double piece = found.length / static_cast<double>(pieces);
+  std::vector<geom::Point> out = {found.waypoints.front()};
   double left = piece;
   std::size_t cuts = 1;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    geom::Point from = way[i - 1];
-    for (double rest = geom::distance(from, way[i]); cuts < pieces && rest > left;
+  const auto go_to = [&](geom::Point from, geom::Point to) {
+    for (double rest = geom::distance(from, to); cuts < pieces && rest > left;
          rest -= std::exchange(left, piece)) {
-      from = from + (way[i] - from) * (left / rest);
+      from = from + (to - from) * (left / rest);
       if (!(from == out.back())) out.push_back(from);
       out.push_back(from);
       ++cuts;
     }
-    left -= geom::distance(from, way[i]);
-    if (!(way[i] == out.back())) out.push_back(way[i]);
+    left -= geom::distance(from, to);
+  };
+  for (std::size_t i = 1; i < found.waypoints.size(); ++i) {
+    geom::Point from = found.waypoints[i - 1];
+    for (const geom::Point corner : found.corners[i - 1]) go_to(std::exchange(from, corner), corner);
+    go_to(from, found.waypoints[i]);
+    if (!(found.waypoints[i] == out.back())) out.push_back(found.waypoints[i]);
   }
   return out;
 }
@@ -114,7 +117,7 @@ SearchWay plan_search(const Mission& mission, const UnitCommand& command,
   SearchWay out;
   out.margin = std::max(found.clearance - terms.radius, 0.0);
   out.warning = warning_of(found, command, command.place_name);
-  if (!found.waypoints.empty()) out.route = cut(found.waypoints, pieces_of(found, command, robots.size()));
+  if (!found.waypoints.empty()) out.route = cut(found, pieces_of(found, command, robots.size()));
   return out;
 }
 

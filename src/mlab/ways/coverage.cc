@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "mlab/ways/search_route.h"
 
@@ -115,7 +116,9 @@ Coverage coverage_route(std::span<const geom::Point> outline, const Ground& grou
   const auto to_see = static_cast<double>(grid.to_see());
   const auto most_unseen = static_cast<std::size_t>(kUnseen * to_see);
   improve(route, most_unseen);
-  out.waypoints = route.waypoints();
+  auto [waypoints, corners] = route.waypoints();
+  out.waypoints = std::move(waypoints);
+  out.corners = std::move(corners);
   out.length = route.length();
   out.seen = 1.0 - static_cast<double>(grid.unseen()) / to_see;
   out.end = out.seen >= Coverage::kWanted ? CoverageEnd::kCovered : CoverageEnd::kPartly;

@@ -29,6 +29,8 @@ struct Coverage {
   /// Each a free place; from each to the next as `BendingPlanner` plans it. Empty where there is none [m,
   /// world].
   std::vector<geom::Point> waypoints;
+  /// By waypoint: the corners of the way to the next one, in between [m, world].
+  std::vector<std::vector<geom::Point>> corners;
   /// That it keeps from everything, where there is room [m].
   double clearance = 0.0;
   double length = 0.0;     ///< of the planned ways between them, all together [m]

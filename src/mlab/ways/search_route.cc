@@ -422,17 +422,22 @@ double SearchRoute::length() const {
   return out;
 }
 
-std::vector<geom::Point> SearchRoute::waypoints() const {
-  std::vector<geom::Point> out;
+SearchRoute::Waypoints SearchRoute::waypoints() const {
+  Waypoints out;
   for (const Stop& stop : stops_) {
-    while (out.size() >= 2) {
-      const geom::Segment straight{out[out.size() - 2], stop.at};
-      if (distance(nearest_point(straight, out.back()), out.back()) > 1e-6 ||
+    while (out.stops.size() >= 2) {
+      const geom::Segment straight{out.stops[out.stops.size() - 2], stop.at};
+      if (distance(nearest_point(straight, out.stops.back()), out.stops.back()) > 1e-6 ||
           !planner_.clearing().is_free(straight))
         break;
-      out.pop_back();
+      out.stops.pop_back();
+      out.corners.pop_back();
+      out.corners.back().clear();
     }
-    out.push_back(stop.at);
+    out.stops.push_back(stop.at);
+    const std::vector<geom::Point>& way = stop.onward.corners;
+    out.corners.emplace_back();
+    if (way.size() > 2) out.corners.back().assign(way.begin() + 1, way.end() - 1);
   }
   return out;
 }

@@ -33,8 +33,13 @@ class SearchRoute {
   std::uint64_t effort() const { return effort_ + kStopsOfAnEffort * planner_.effort(); }
 
   double length() const;
-  /// Stops without those that lie on the straight way from the one before to the next.
-  std::vector<geom::Point> waypoints() const;
+  /// Stops without those that lie on the straight way from the one before to the next; and by stop the
+  /// corners of the way to the next one.
+  struct Waypoints {
+    std::vector<geom::Point> stops;
+    std::vector<std::vector<geom::Point>> corners;
+  };
+  Waypoints waypoints() const;
 
  private:
   /// A planned way.
