@@ -84,10 +84,10 @@ void add(PlannedWay& way, geom::Point corner) {
     way.corners[way.count++] = corner;
 }
 
-// Where a body may leave a place, or come to it, that things are nearer to than it keeps: so many clearances from
-// there, or from the nearest place to it where it can be at all.
-std::optional<geom::Point> free_beside(const ways::Clearing& tight, const ways::Clearing& wide, geom::Point place,
-                                       double most) {
+// Where a body may leave a place, or come to it, that things are nearer to than it keeps: so many clearances
+// from there, or from the nearest place to it where it can be at all.
+std::optional<geom::Point> free_beside(const ways::Clearing& tight, const ways::Clearing& wide,
+                                       geom::Point place, double most) {
   if (wide.is_free(place)) return place;
   const auto out = wide.nearest_free(place);
   const auto least = tight.nearest_free(place);
@@ -248,7 +248,8 @@ bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const Pla
   if (off > stray || (way.end == WayEnd::kFull && at >= 0.7 * length)) return false;
   if (!is_body || off <= way.clearance) return true;
   const geom::Segment ahead{from, carrot_on(way, from, at, kLookahead)};
-  return std::ranges::none_of(ground.walls, [&](const geom::Segment& wall) { return intersects(ahead, wall); }) &&
+  return std::ranges::none_of(ground.walls,
+                              [&](const geom::Segment& wall) { return intersects(ahead, wall); }) &&
          std::ranges::none_of(ground.discs, [&](const ways::Round& disc) {
            return distance(nearest_point(ahead, disc.center), disc.center) < disc.radius;
          });

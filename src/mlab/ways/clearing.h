@@ -34,8 +34,8 @@ class Clearing {
   std::optional<std::uint32_t> first_hit(geom::Segment s) const;
   /// The nearest free place; nothing where none was found near it. A free one is its own.
   std::optional<geom::Point> nearest_free(geom::Point p) const;
-  /// Free places at edges of what is around a place, nearest first: so many, or all that there are. At each edge
-  /// the place that is nearest, and where two meet.
+  /// Free places at edges of what is around a place, nearest first: so many, or all that there are. At each
+  /// edge the place that is nearest, and where two meet.
   std::vector<geom::Point> free_places(geom::Point p, std::size_t most) const;
 
   /// Of a round, where nothing is in the way.
