@@ -127,6 +127,23 @@ TEST_F(Way, IsTrackedFromWhereOneWas) {
   EXPECT_DOUBLE_EQ(at({104.0, 0.0}), 104.0);
 }
 
+TEST_F(Way, IsTrackedOnWhereItLeadsBackAlongItself) {
+  flow::BehaviorProbe p = probe("TrackWay");
+  PlannedWay way = straight({100.0, 0.0}, {0.0, 0.0});
+  way.corners[way.count++] = {100.0, 0.0};
+  p.set("way", way);
+  for (double x = 100.0; x > 0.0; x -= 4.0) {
+    p.set("place", Point{x, 0.5});
+    p.step();
+    EXPECT_NEAR(p.output<double>(), 100.0 - x, 1e-9);
+  }
+  for (double x = 8.0; x <= 100.0; x += 4.0) {
+    p.set("place", Point{x, 0.5});
+    p.step();
+    EXPECT_NEAR(p.output<double>(), 100.0 + x, 1e-9);
+  }
+}
+
 TEST_F(Way, HasAPlaceForEachRankOfAFormation) {
   flow::BehaviorProbe p = probe("WayStation");
   p.set("way", straight({0.0, 0.0}, {100.0, 0.0})).set("spacing", 10.0);
@@ -270,6 +287,23 @@ TEST_F(Way, IsFollowedRoundItsCornersToItsEnd) {
   }
   EXPECT_LT(farthest, 1.0);
   EXPECT_LT(distance(at, {10.0, 10.0}), 0.1);
+}
+
+// Round the end of a wall, beyond which the way leads back on its other side.
+TEST_F(Way, WhoIsPushedBackGoesThatPieceAgain) {
+  flow::BehaviorProbe p = probe("FollowWay");
+  PlannedWay way = straight({0.0, -0.3}, {10.0, -0.3});
+  way.corners[way.count++] = {10.0, 0.3};
+  way.corners[way.count++] = {0.0, 0.3};
+  p.set("way", way);
+  for (const double x : {8.0, 9.0, 10.0}) {
+    p.percepts.pose.position = {x, -0.3};
+    p.step();
+  }
+  p.percepts.pose.position = {8.5, -0.3};
+  p.step();
+  EXPECT_GT(p.output<Vector>().x, 0.5) << "along the wall to its end, not through it";
+  EXPECT_LT(std::abs(p.output<Vector>().y), 0.3);
 }
 
 TEST_F(Way, NothingRemainsAtTheStation) {

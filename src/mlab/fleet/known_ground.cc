@@ -39,11 +39,18 @@ std::uint64_t revision_of(const ways::Ground& ground, ways::Bounds bounds) {
 }  // namespace
 
 TeamGround::TeamGround(const overlay::Overlay& map)
-    : TeamGround(mission::known_things(map), mission::known_bounds(map), std::nullopt) {}
+    : TeamGround(mission::known_things(map), mission::known_bounds(map), {}, std::nullopt) {
+  for (const overlay::ObstacleDisc& one : map.obstacles) {
+    if (!one.is_moving()) continue;
+    if (const auto all = mission::swept(one)) swaying_.push_back(all->center);
+  }
+}
 
-TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::optional<std::size_t> mapped)
+TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::vector<geom::Point> swaying,
+                       std::optional<std::size_t> mapped)
     : ground_(std::move(ground)),
       bounds_(bounds),
+      swaying_(std::move(swaying)),
       mapped_(mapped.value_or(ground_.discs.size())),
       revision_(revision_of(ground_, bounds)) {}
 
@@ -65,7 +72,7 @@ std::shared_ptr<const TeamGround> TeamGround::with(std::span<const ways::Round> 
   if (ground.discs.empty()) return nullptr;
   ground.discs.insert(ground.discs.begin(), ground_.discs.begin(), ground_.discs.end());
   ground.walls = ground_.walls;
-  return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, mapped_));
+  return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, swaying_, mapped_));
 }
 
 std::vector<geom::Point> TeamGround::missed(const geom::Pose& pose, double reach,
@@ -76,8 +83,8 @@ std::vector<geom::Point> TeamGround::missed(const geom::Pose& pose, double reach
   for (const auto& [center, radius] : ground_.discs) {
     if (radius < kSmallest || distance(pose.position, center) - radius > reach - kWithin) continue;
     const geom::Vector there = pose.to_robot(center);
-    if (std::ranges::none_of(
-            seen, [&](const percept::Obstacle& one) { return length(one.center - there) <= kSame; }))
+    const auto is_it = [&](const percept::Obstacle& one) { return length(one.center - there) <= kSame; };
+    if (std::ranges::none_of(seen, is_it) && std::ranges::find(swaying_, center) == swaying_.end())
       out.push_back(center);
   }
   return out;
@@ -93,7 +100,7 @@ std::shared_ptr<const TeamGround> TeamGround::without(std::span<const geom::Poin
   }
   if (ground.discs.size() == ground_.discs.size()) return nullptr;
   ground.walls = ground_.walls;
-  return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, mapped));
+  return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, swaying_, mapped));
 }
 
 }  // namespace mlab::fleet

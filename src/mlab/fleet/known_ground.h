@@ -15,7 +15,8 @@
 namespace mlab::fleet {
 
 /// What a team knows to stand on the ground: what the map says, and what its robots have sensed besides;
-/// without what they saw to be gone. Nothing that moves is in it. Never changed, so checkpoints share it.
+/// without what they saw to be gone. What moves is in it only where it doesn't go away from its place. Never
+/// changed, so checkpoints share it.
 class TeamGround {
  public:
   /// So many sensed things are remembered, at most.
@@ -39,10 +40,14 @@ class TeamGround {
 
  private:
   /// @param mapped  of the discs; nothing: all of them
-  TeamGround(ways::Ground ground, ways::Bounds bounds, std::optional<std::size_t> mapped);
+  /// @param swaying  as the field
+  TeamGround(ways::Ground ground, ways::Bounds bounds, std::vector<geom::Point> swaying,
+             std::optional<std::size_t> mapped);
 
   ways::Ground ground_;  // without bounds: things beyond them are known, too
   ways::Bounds bounds_;
+  /// Middles of those in which something moves: whoever looks there may not see it.
+  std::vector<geom::Point> swaying_;
   std::size_t mapped_ = 0;  // discs that the map has; those behind them were sensed
   std::uint64_t revision_ = 0;
   mutable std::once_flag looked_;  // most robots never ask

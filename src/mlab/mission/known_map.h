@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 #include "mlab/overlay/barriers.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/percept/area_margin.h"
@@ -7,11 +10,28 @@
 
 namespace mlab::mission {
 
-/// What a map says to stand on the ground, for who plans ways: what moves is not among it. Without bounds.
+/// What is always in the way of something that moves so little that its middle is always covered: all that it
+/// ever covers; nothing: it goes elsewhere.
+inline std::optional<ways::Round> swept(const overlay::ObstacleDisc& moving) {
+  geom::Point low = moving.center;
+  geom::Point high = moving.center;
+  for (const geom::Point point : moving.route) {
+    low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+    high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+  }
+  const geom::Point middle = low + (high - low) * 0.5;
+  const double half = distance(low, middle);
+  if (half >= moving.radius) return std::nullopt;
+  return ways::Round{middle, moving.radius + half};
+}
+
+/// What a map says to stand on the ground, for who plans ways: what moves is among it only where it doesn't
+/// go away from its place. Without bounds.
 inline ways::Ground known_things(const overlay::Overlay& map) {
   ways::Ground out;
   for (const overlay::ObstacleDisc& disc : map.obstacles) {
-    if (!disc.is_moving()) out.discs.push_back({disc.center, disc.radius});
+    const auto taken = disc.is_moving() ? swept(disc) : std::optional(ways::Round{disc.center, disc.radius});
+    if (taken) out.discs.push_back(*taken);
   }
   for (const overlay::Barrier& one : overlay::barriers(map)) out.walls.push_back(one.segment);
   return out;

@@ -82,14 +82,16 @@ void add(PlannedWay& way, geom::Point corner) {
     way.corners[way.count++] = corner;
 }
 
-// Where a body may leave a place, or come to it, that things are nearer to than it keeps.
-std::optional<geom::Point> free_beside(Site& tight, const ways::Clearing& wide, geom::Point place) {
+// Where a body may leave a place, or come to it, that things are nearer to than it keeps: so many clearances
+// from there, or from the nearest place to it where it can be at all.
+std::optional<geom::Point> free_beside(const ways::Clearing& tight, const ways::Clearing& wide,
+                                       geom::Point place, double most) {
   if (wide.is_free(place)) return place;
   const auto out = wide.nearest_free(place);
-  if (!out) return std::nullopt;
+  const auto least = tight.nearest_free(place);
+  if (!out || !least || distance(*out, *least) > most * wide.clearance()) return std::nullopt;
   // Not through a wall.
-  const bool is_there = tight.clearing().is_free(place);
-  return !is_there || tight.clearing().is_free(geom::Segment{place, *out}) ? out : std::nullopt;
+  return *least != place || tight.is_free(geom::Segment{place, *out}) ? out : std::nullopt;
 }
 
 PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& way, geom::Point goal,
@@ -105,6 +107,24 @@ PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& wa
   else
     out.end = WayEnd::kBesideGoal;
   return out;
+}
+
+// Where no way leads to the goal: to the nearest place to it that one leads to.
+std::optional<PlannedWay> way_near(Site& tight, geom::Point from, geom::Point begin, geom::Point goal) {
+  constexpr std::size_t kMostPlaces = 24;
+  constexpr std::uint64_t kEffortOfAll = kMostEffort / 2;
+  const std::uint64_t before = tight.planner.effort();
+  for (const geom::Point place : tight.clearing().free_places(goal, kMostPlaces)) {
+    const std::uint64_t spent = tight.planner.effort() - before;
+    if (spent >= kEffortOfAll) break;
+    // Back from there: what is closed off is small, mostly.
+    auto back = tight.planner.find(place, begin, kEffortOfAll - spent);
+    if (!back) continue;
+    std::ranges::reverse(back->corners);
+    return put_together(tight, from, *back, goal,
+                        tight.clearing().is_free(goal) ? WayEnd::kClosedOff : WayEnd::kBesideGoal);
+  }
+  return std::nullopt;
 }
 
 // With a last piece straight to the goal, as far as nothing is in front of it.
@@ -159,12 +179,13 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
   for (const double clearance : clearances.all()) {
     const auto site = sites().at(ground, clearance);
     const std::lock_guard lock(site->mutex);
-    const auto begin = free_beside(*tight, site->clearing(), from);
-    const auto end = free_beside(*tight, site->clearing(), goal);
+    const auto begin = free_beside(tight->clearing(), site->clearing(), from, 4.0);
+    const auto end = free_beside(tight->clearing(), site->clearing(), goal, 2.0);
     if (!begin || !end) continue;
     const auto way = site->planner.find(*begin, *end, kMostEffort);
     if (way) return put_together(*tight, from, *way, goal, WayEnd::kGoal);
     if (clearance > least) continue;
+    if (auto near = way_near(*site, from, *begin, goal)) return *near;
     const auto part = site->planner.find(*begin, way.error().nearest, kMostEffort);
     if (part)
       return up_to_the_goal(site->clearing(), put_together(*tight, from, *part, goal, WayEnd::kClosedOff),
@@ -221,7 +242,10 @@ bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const Pla
   if (!is_body || off <= way.clearance) return true;
   const geom::Segment ahead{from, carrot_on(way, from, at, kLookahead)};
   return std::ranges::none_of(ground.walls,
-                              [&](const geom::Segment& wall) { return intersects(ahead, wall); });
+                              [&](const geom::Segment& wall) { return intersects(ahead, wall); }) &&
+         std::ranges::none_of(ground.discs, [&](const ways::Round& disc) {
+           return distance(nearest_point(ahead, disc.center), disc.center) < disc.radius;
+         });
 }
 
 bool is_open(const percept::KnownGround& ground, const PlannedWay& way) {

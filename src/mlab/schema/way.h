@@ -43,7 +43,7 @@ std::size_t corners_passed(const ways::PlannedWay& way, double at, std::span<con
 
 /// Whether a way that was planned on other ground still leads where it did: nothing stands on it, and who is
 /// on it is no farther off than `stray` [m], nor near the end of one that was too long to be told. Between a
-/// body and where it heads for is no wall, either.
+/// body and where it heads for is nothing, either.
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const ways::PlannedWay& way,
               geom::Point from, double stray, bool is_body);
 

@@ -263,31 +263,50 @@ std::vector<Arc> Clearing::free_arcs(std::uint32_t round) const {
   return open.arcs();
 }
 
-// The nearest one lies on the edge of something that has grown: where that is nearest, or where two meet.
+// Of everything so near: where its edge is nearest, and where two edges meet.
+std::vector<geom::Point> Clearing::edge_points(geom::Point p, double reach) const {
+  Edges edges;
+  for (const std::uint32_t item : items_near(p, reach)) {
+    if (item < ground_.discs.size()) {
+      edges.circles.push_back(rounds_[item]);
+      continue;
+    }
+    const geom::Segment& wall = ground_.walls[item - ground_.discs.size()];
+    edges.circles.push_back({wall.a, clearance_});
+    edges.circles.push_back({wall.b, clearance_});
+    edges.add_sides(wall, clearance_);
+  }
+  edges.add_bounds(ground_.bounds, p, reach);
+  return edges.points(p);
+}
+
+// Whether everything that there is lies within reach of a place.
+bool Clearing::is_all(geom::Point p, double reach) const {
+  return reach > 2.0 * (cell_ * static_cast<double>(columns_ + rows_) + distance(p, {x0_, y0_}));
+}
+
 std::optional<geom::Point> Clearing::nearest_free(geom::Point p) const {
   const Bounds& bounds = ground_.bounds;
   const geom::Point inside{std::clamp(p.x, bounds.x0, bounds.x1), std::clamp(p.y, bounds.y0, bounds.y1)};
   if (is_free(inside)) return inside;
   for (double reach = std::max(4.0 * clearance_, 2.0 * cell_);; reach *= 2.0) {
-    Edges edges;
-    for (const std::uint32_t item : items_near(p, reach)) {
-      if (item < ground_.discs.size()) {
-        edges.circles.push_back(rounds_[item]);
-        continue;
-      }
-      const geom::Segment& wall = ground_.walls[item - ground_.discs.size()];
-      edges.circles.push_back({wall.a, clearance_});
-      edges.circles.push_back({wall.b, clearance_});
-      edges.add_sides(wall, clearance_);
-    }
-    edges.add_bounds(bounds, p, reach);
     std::optional<geom::Point> out;
-    for (const geom::Point one : edges.points(p)) {
+    for (const geom::Point one : edge_points(p, reach)) {
       if (distance(one, p) <= reach && (!out || distance(one, p) < distance(*out, p)) && is_free(one))
         out = one;
     }
-    const double all = cell_ * static_cast<double>(columns_ + rows_) + distance(p, {x0_, y0_});
-    if (out || reach > 2.0 * all) return out;
+    if (out || is_all(p, reach)) return out;
+  }
+}
+
+std::vector<geom::Point> Clearing::free_places(geom::Point p, std::size_t most) const {
+  for (double reach = std::max(4.0 * clearance_, 2.0 * cell_);; reach *= 2.0) {
+    std::vector<geom::Point> out = edge_points(p, reach);
+    std::erase_if(out, [&](geom::Point one) { return distance(one, p) > reach || !is_free(one); });
+    if (out.size() < most && !is_all(p, reach)) continue;
+    std::ranges::sort(out, {}, [&](geom::Point one) { return distance(one, p); });
+    out.resize(std::min(out.size(), most));
+    return out;
   }
 }
 

@@ -34,6 +34,9 @@ class Clearing {
   std::optional<std::uint32_t> first_hit(geom::Segment s) const;
   /// The nearest free place; nothing where none was found near it. A free one is its own.
   std::optional<geom::Point> nearest_free(geom::Point p) const;
+  /// Free places at edges of what is around a place, nearest first: so many, or all that there are. At each
+  /// edge the place that is nearest, and where two meet.
+  std::vector<geom::Point> free_places(geom::Point p, std::size_t most) const;
 
   /// Of a round, where nothing is in the way.
   std::vector<Arc> free_arcs(std::uint32_t round) const;
@@ -51,6 +54,8 @@ class Clearing {
   /// How far along the piece it is met, 0 .. 1; kNotMet: it isn't.
   double met_at(std::uint32_t item, geom::Segment s) const;
   std::vector<std::uint32_t> items_near(geom::Point p, double reach) const;
+  std::vector<geom::Point> edge_points(geom::Point p, double reach) const;
+  bool is_all(geom::Point p, double reach) const;
 
   const Ground& ground_;
   double clearance_;

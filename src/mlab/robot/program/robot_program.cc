@@ -90,10 +90,11 @@ void find_places(const MissionValues& told, RobotProgram& robot, text::Diagnosti
 void set_parameters(std::span<const Setting> settings, const std::vector<std::string>& known_keys,
                     const Places* places, RobotProgram& robot, text::Diagnostics& sink) {
   for (const Setting& parameter : settings) {
-    if (std::find(known_keys.begin(), known_keys.end(), parameter.key) != known_keys.end()) continue;
+    // What is the body's may be the program's as well.
+    const bool is_known = std::find(known_keys.begin(), known_keys.end(), parameter.key) != known_keys.end();
     const flow::Port* port = robot.program->find(parameter.key);
     if (port == nullptr || port->role == flow::Port::Role::kOutput) {
-      if (parameter.is_preset) continue;
+      if (parameter.is_preset || is_known) continue;
       std::vector<std::string> names = parameter_names(*robot.program);
       names.insert(names.end(), known_keys.begin(), known_keys.end());
       text::Diagnostic& d =

@@ -1,0 +1,158 @@
+// Places and ways at which robots that plan their ways could be trapped, and crowds in which they could
+// touch.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "mlab/lang/mdl/mdl.h"
+#include "mlab/run/mission_run.h"
+#include "mlab/simulated/run.h"
+
+namespace mlab {
+namespace {
+
+class Trapped : public testing::Test {
+ protected:
+  /// @param commands  of units of robots `r`, which are 5 m apart in formations
+  void carry_out(const std::string& map, const std::string& commands, const std::string& parameters = "",
+                 double patience = 60.0) {
+    text::Diagnostics sink;
+    mdl::LoadOptions options;
+    options.files.is_file = [](const std::string& path) { return path == "map.odl"; };
+    options.files.read = [&](const std::string& path) -> text::Result<text::SourcePtr> {
+      return std::make_shared<const text::Source>(path, map);
+    };
+    const auto source = std::make_shared<const text::Source>(
+        "test.mdl",
+        fmt::format("OVERLAY map.odl\nNEW-ROBOT r \"robot\" blue \"\" (formation_spacing = 5{})\n{}",
+                    parameters, commands));
+    const auto mission = mdl::check_mission(source, "", sink, options);
+    ASSERT_NE(mission, nullptr) << text::render(sink);
+    run::RunSettings settings;
+    settings.executive.patience = patience;
+    settings.executive.proceed_all = true;
+    run_ = simulated::make_run(mission, {}, settings, sink);
+    ASSERT_NE(run_, nullptr) << text::render(sink);
+    run_->set_observer([this](const mission::Effect& effect) {
+      if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) told_ += told->text + "\n";
+    });
+    run_->post(mission::event::Execute{});
+    for (int i = 0; i < 10'000 && run_->step() != run::MissionRun::Progress::kOver; ++i) {
+    }
+    for (const fleet::FleetRobot& robot : run_->fleet().robots()) {
+      const binding::BodyState body = run_->world().body(robot.body);
+      contacts_ += body.contacts + body.run_over;
+    }
+  }
+  bool is_done() const { return run_->state().outcome == mission::Outcome::kDone; }
+  double farthest_from(geom::Point place) const {
+    double out = 0.0;
+    for (const fleet::FleetRobot& robot : run_->fleet().robots())
+      out = std::max(out, distance(run_->fleet().pose(robot).position, place));
+    return out;
+  }
+
+  std::unique_ptr<run::MissionRun> run_;
+  std::string told_;
+  unsigned contacts_ = 0;
+};
+
+const std::string kPlain = "MISSION-AREA 300 300\nCONTROL MEASURES:\n";
+
+TEST_F(Trapped, TheMiddleOfAUnitMayBeClosedOff) {
+  carry_out(kPlain + "WALL box 130 130 170 130 170 170 130 170 130 130\n",
+            "UNIT <t> r r\nCOMMAND LIST:\n0. ROBOT 1 START 110 150 AND ROBOT 2 START 190 150\n"
+            "1. UNIT t MOVETO 270 20 Column\n");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_LT(farthest_from({270, 20}), 10.0);
+}
+
+TEST_F(Trapped, ARouteMayLeadBackAlongItself) {
+  carry_out(kPlain + "AXIS through 30 150 270 150\n",
+            "UNIT <t> r r r\nCOMMAND LIST:\n0. UNIT t START 30 150 0 3\n1. UNIT t FOLLOW through Column\n"
+            "2. UNIT t FOLLOW through Column\n");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_LT(farthest_from({270, 150}), 15.0);
+}
+
+TEST_F(Trapped, DoorsThatBarelyLetThemPass) {
+  std::string rooms = kPlain;
+  for (int x = 1; x < 6; ++x) {
+    // A door of 1.5 m that is elsewhere in each of the walls.
+    const double door = 5.0 + 17.0 * (x * 7 % 5);
+    rooms += fmt::format("WALL a{0} {1} 0 {1} {2}\nWALL b{0} {1} {3} {1} 300\n", x, 40 * x, door, door + 1.5);
+  }
+  carry_out(rooms,
+            "UNIT <t> r r r r r r\nCOMMAND LIST:\n0. UNIT t START 15 40 0 2\n"
+            "1. UNIT t MOVETO 250 40 Wedge\n2. UNIT t MOVETO 15 40 Line\n");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts_, 0U);
+}
+
+TEST_F(Trapped, WhatSwaysIsGoneRound) {
+  for (const char* sway : {"51 SPEED 0.5", "56 SPEED 0.3"}) {
+    contacts_ = 0;
+    carry_out(
+        "MISSION-AREA 200 100\nCONTROL MEASURES:\nOBSTACLE 100 49 8 ROUTE 100 " + std::string(sway) + "\n",
+        "UNIT <t> r r r\nCOMMAND LIST:\n0. UNIT t START 15 50 0 2\n1. UNIT t MOVETO 185 50 Wedge\n"
+        "2. UNIT t MOVETO 15 50 Column\n");
+    EXPECT_TRUE(is_done()) << sway << "\n" << told_;
+    EXPECT_EQ(contacts_, 0U) << sway;
+  }
+}
+
+TEST_F(Trapped, TheNearestPlaceIsOneThatAWayLeadsTo) {
+  // On the wall of a closed room: inside is as near.
+  carry_out(kPlain + "WALL room 180 80 220 80 220 120 180 120 180 80\n",
+            "UNIT <t> r r r\nCOMMAND LIST:\n0. UNIT t START 20 100 0 3\n1. UNIT t MOVETO 180 100 Wedge\n");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_LT(farthest_from({180, 100}), 20.0);
+  EXPECT_NE(told_.find("is the nearest place to it"), std::string::npos) << told_;
+}
+
+TEST_F(Trapped, AClosedRoomIsToldWithTheSideThatIsNearest) {
+  carry_out(kPlain + "WALL room 180 80 220 80 220 120 180 120 180 80\n",
+            "UNIT <t> r\nCOMMAND LIST:\n0. UNIT t START 20 100\n1. UNIT t MOVETO 195 100\n");
+  EXPECT_FALSE(is_done());
+  EXPECT_NE(told_.find("a wall at (180.0, 100.0) is in front of it, 15 m away"), std::string::npos) << told_;
+}
+
+TEST_F(Trapped, WhoIsClosedInSaysSo) {
+  carry_out(kPlain + "WALL room 20 200 60 200 60 240 20 240 20 200\n",
+            "UNIT <t> r r\nCOMMAND LIST:\n0. ROBOT 1 START 30 100 AND ROBOT 2 START 40 220\n"
+            "1. UNIT t MOVETO 270 150 Column\n");
+  EXPECT_FALSE(is_done());
+  EXPECT_NE(told_.find("robot 2: Way: no way to"), std::string::npos) << told_;
+}
+
+TEST_F(Trapped, CrowdsThatCrossDoNotTouch) {
+  std::string units;
+  for (const char* name : {"a", "b", "c", "d"})
+    units += fmt::format("UNIT <{}> r r r r r r r r r r r r\n", name);
+  carry_out("MISSION-AREA 200 200\nCONTROL MEASURES:\n",
+            units +
+                "COMMAND LIST:\n"
+                "0. UNIT a START 100 190 0 -1 AND UNIT b START 100 10 0 1 AND UNIT c START 190 100 -1 0 AND\n"
+                "   UNIT d START 10 100 1 0\n"
+                "1. UNIT a MOVETO 100 10 Line AND UNIT b MOVETO 100 190 Wedge AND\n"
+                "   UNIT c MOVETO 10 100 Diamond AND UNIT d MOVETO 190 100 Column\n",
+            ", formation_spacing = 1");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts_, 0U);
+}
+
+TEST_F(Trapped, LargeBodiesKnowHowLargeTheyAre) {
+  carry_out(kPlain,
+            "UNIT <t> r r r r\nCOMMAND LIST:\n0. UNIT t START 30 150 0 10\n1. UNIT t MOVETO 270 150 Column\n",
+            ", robot_radius = 1");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts_, 0U);
+}
+
+}  // namespace
+}  // namespace mlab
