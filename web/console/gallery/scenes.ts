@@ -98,6 +98,8 @@ function unitOf(name: string, count: number, first = 1) {
   return { name, members: Array.from({ length: count }, (_, i) => first + i), parent: -1 };
 }
 
+const kStroll = { route: [{ x: 420, y: 300 }], speed: 1 };
+
 /** Each kind of control measure, each form of it, beside each other. */
 export function everything(): Session {
   const zone = (name: string, x: number, kind: string) =>
@@ -156,16 +158,7 @@ export function everything(): Session {
         { x: 295, y: 285, diameter: 22, style: WorldObject_Style.CONTAINER, color: "green", id: 3 },
         { x: 320, y: 285, diameter: 6, style: WorldObject_Style.MOVABLE, color: "black", id: 4 },
         { x: 340, y: 285, diameter: 6, style: WorldObject_Style.MOVABLE, color: "white", id: 5 },
-        {
-          x: 370,
-          y: 275,
-          diameter: 8,
-          style: WorldObject_Style.MOVABLE,
-          color: "purple",
-          id: 6,
-          route: [{ x: 420, y: 300 }],
-          speed: 1,
-        },
+        { x: 370, y: 275, diameter: 8, style: WorldObject_Style.MOVABLE, color: "purple", id: 6, ...kStroll },
       ].map((object) => ({ ...object, document: "gallery.odl" })),
     },
     roster: { robots: team(8, "alpha", (i) => kPalette[i]!), units: [unitOf("alpha", 8)] },
