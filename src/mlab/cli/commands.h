@@ -250,7 +250,11 @@ struct WorldOptions {
   std::string folder;       ///< empty: standard output
 };
 int draw_worlds(const WorldOptions& options);
+std::vector<std::string> world_kinds();
 std::string world_kinds_help();
+inline constexpr const char* kWorldDescription =
+    "Draw maps by seeds, for studies (docs/batch.md): each with what stands there, and with the passage\n"
+    "points Start and Goal. To the terminal, or one and more into a folder, as KIND_SEED.odl.";
 
 struct BenchOptions {
   std::uint32_t robots = 1000;

@@ -27,7 +27,6 @@
 #include "mlab/cli/replay_options.h"
 #include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"
-#include "mlab/lang/odl/drawn_worlds.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::cli {
@@ -381,15 +380,10 @@ void add_new(CLI::App& app, NewOptions& o) {
 }
 
 void add_world(CLI::App& app, WorldOptions& o) {
-  CLI::App* c = app.add_subcommand(
-      "world",
-      "Draw maps by seeds, for studies (docs/batch.md): each with what stands there, and with the passage\n"
-      "points Start and Goal. To the terminal, or one and more into a folder, as KIND_SEED.odl.");
-  std::vector<std::string> kinds;
-  for (const odl::WorldKindInfo& one : odl::kWorldKinds) kinds.emplace_back(one.name);
+  CLI::App* c = app.add_subcommand("world", kWorldDescription);
   c->add_option("kind", o.kind, world_kinds_help())
       ->required()
-      ->check(CLI::IsMember(kinds))
+      ->check(CLI::IsMember(world_kinds()))
       ->type_name("KIND");
   c->add_option("--seed", o.seed, "of the first map; the others follow")
       ->capture_default_str()
@@ -398,7 +392,7 @@ void add_world(CLI::App& app, WorldOptions& o) {
       ->capture_default_str()
       ->check(CLI::Range(1U, 100'000U))
       ->type_name("N");
-  c->add_option("--folder", o.folder, "where to; is made where it isn't there. Other files are left alone")
+  c->add_option("--folder", o.folder, "where to, made where it isn't there; other files are left alone")
       ->type_name("FOLDER");
 }
 

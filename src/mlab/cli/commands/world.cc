@@ -1,5 +1,6 @@
 // `mlab world`: maps that are drawn by a seed, for studies.
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -26,6 +27,12 @@ int refuse_world(const std::string& why) {
 }
 
 }  // namespace
+
+std::vector<std::string> world_kinds() {
+  std::vector<std::string> out;
+  for (const odl::WorldKindInfo& one : odl::kWorldKinds) out.emplace_back(one.name);
+  return out;
+}
 
 std::string world_kinds_help() {
   std::string out = "what it is like:";
