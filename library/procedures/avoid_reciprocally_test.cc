@@ -98,8 +98,8 @@ TEST(AvoidReciprocally, ACrowdThatIsSentToOnePlaceDoesNotTouch) {
   std::vector<flow::BehaviorProbe> crowd;
   for (std::size_t i = 0; i < kCount; ++i) {
     crowd.push_back(probe("AvoidReciprocally"));
-    crowd.back().percepts.pose.position = {1.5 * static_cast<double>(i % 3),
-                                           1.5 * static_cast<double>(i / 3)};
+    const std::size_t row = i / 3;
+    crowd.back().percepts.pose.position = {1.5 * static_cast<double>(i % 3), 1.5 * static_cast<double>(row)};
     crowd.back().percepts.ground.bounds = {-10.0, -10.0, 3.5, 3.5};
   }
   for (int cycle = 0; cycle < 200; ++cycle) {

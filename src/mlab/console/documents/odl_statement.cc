@@ -144,7 +144,7 @@ std::string problem_with(const Measure& measure) {
 }
 
 template <class Thing>
-std::string problem_with_route(const Thing& thing) {
+static std::string problem_with_route(const Thing& thing) {
   if (thing.route().empty()) return "";
   std::vector<geom::Point> way = points_of(thing.route());
   way.insert(way.begin(), {thing.x(), thing.y()});
@@ -178,7 +178,7 @@ std::string problem_with(const WorldObject& object) {
 // ---- new statements
 
 template <class Thing>
-void add_route(const Thing& thing, geom::Offset origin, odl::Statement& out) {
+static void add_route(const Thing& thing, geom::Offset origin, odl::Statement& out) {
   out.route = points(points_of(thing.route()), origin);
   if (!out.route.empty()) out.speed = number(thing.speed());
 }
@@ -249,7 +249,7 @@ odl::Statement changed(const odl::Statement& was, const overlay::ControlMeasure&
 
 // What moves keeps its route, which goes where it goes.
 template <class Before, class After>
-std::vector<geom::Point> moved_route(const Before& before, const After& after) {
+static std::vector<geom::Point> moved_route(const Before& before, const After& after) {
   std::vector<geom::Point> out = before.route;
   for (geom::Point& point : out) point = point + (geom::Point{after.x(), after.y()} - before.center);
   return out;

@@ -29,7 +29,7 @@ DrawnWorld rooms(base::Random& random) {
   DrawnWorld out{.size = {kAcross * kRoom, kUp * kRoom}, .start = {15, 15}, .goal = {105, 75}};
   int number = 0;
   // Doors of a tree that joins all rooms, and of half the other walls.
-  std::vector<int> group(kAcross * kUp);
+  std::vector<int> group(std::size_t{kAcross} * kUp);
   for (std::size_t i = 0; i < group.size(); ++i) group[i] = static_cast<int>(i);
   struct Side {
     int a, b;
