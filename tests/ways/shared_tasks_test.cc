@@ -12,10 +12,9 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "begun_run.h"
 #include "mlab/base/random.h"
 #include "mlab/lang/mdl/mdl.h"
-#include "mlab/run/mission_run.h"
-#include "mlab/simulated/run.h"
 
 namespace mlab {
 namespace {
@@ -76,15 +75,8 @@ class SharedTasks : public testing::Test {
     const auto mission =
         mdl::check_mission(std::make_shared<const text::Source>("test.mdl", text), "", sink, options);
     ASSERT_NE(mission, nullptr) << text::render(sink);
-    run::RunSettings settings;
-    settings.executive.patience = 120.0;
-    settings.executive.proceed_all = true;
-    run_ = simulated::make_run(mission, {}, settings, sink);
-    ASSERT_NE(run_, nullptr) << text::render(sink);
-    run_->set_observer([this](const mission::Effect& effect) {
-      if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) told_ += told->text + "\n";
-    });
-    run_->post(mission::event::Execute{});
+    run_ = begun_run(mission, 120.0, told_);
+    ASSERT_NE(run_, nullptr);
   }
 
   bool is_done() const { return run_->state().outcome == mission::Outcome::kDone; }

@@ -9,9 +9,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "begun_run.h"
 #include "mlab/lang/mdl/mdl.h"
-#include "mlab/run/mission_run.h"
-#include "mlab/simulated/run.h"
 
 namespace mlab {
 namespace {
@@ -33,15 +32,8 @@ class Trapped : public testing::Test {
                     parameters, commands));
     const auto mission = mdl::check_mission(source, "", sink, options);
     ASSERT_NE(mission, nullptr) << text::render(sink);
-    run::RunSettings settings;
-    settings.executive.patience = patience;
-    settings.executive.proceed_all = true;
-    run_ = simulated::make_run(mission, {}, settings, sink);
-    ASSERT_NE(run_, nullptr) << text::render(sink);
-    run_->set_observer([this](const mission::Effect& effect) {
-      if (const auto* told = std::get_if<mission::effect::Tell>(&effect)) told_ += told->text + "\n";
-    });
-    run_->post(mission::event::Execute{});
+    run_ = begun_run(mission, patience, told_);
+    ASSERT_NE(run_, nullptr);
     for (int i = 0; i < 10'000 && run_->step() != run::MissionRun::Progress::kOver; ++i) {
     }
     for (const fleet::FleetRobot& robot : run_->fleet().robots()) {

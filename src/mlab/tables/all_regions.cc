@@ -42,6 +42,7 @@ std::span<const Region> all_regions() {
       Region{"mdl_dictionary", mdl_dictionary},
       Region{"object_class_enum", object_class_enum},
       Region{"object_class_documentation", object_class_documentation},
+      Region{"world_kind_documentation", world_kind_documentation},
       Region{"channel_documentation", channel_documentation},
       Region{"sensor_documentation", sensor_documentation},
       Region{"sensor_words", sensor_words},

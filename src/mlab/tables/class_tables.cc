@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/odl/drawn_worlds.h"
 #include "mlab/percept/object_classes.h"
 
 namespace mlab::tables {
@@ -26,6 +27,13 @@ std::string object_class_enum() {
   std::string out;
   for (const percept::ObjectClassInfo& one : percept::kObjectClasses)
     out += fmt::format("  {} = {};\n", in_capitals(one.name), static_cast<int>(one.object_class));
+  return out;
+}
+
+std::string world_kind_documentation() {
+  std::string out = "| `KIND` | |\n|---|---|\n";
+  for (const odl::WorldKindInfo& one : odl::kWorldKinds)
+    out += fmt::format("| `{}` | {} |\n", one.name, one.help);
   return out;
 }
 

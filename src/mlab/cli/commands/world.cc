@@ -58,7 +58,8 @@ int draw_worlds(const WorldOptions& options) {
   std::error_code error;
   fs::create_directories(options.folder, error);
   std::vector<std::uint64_t> missing;
-  for (std::uint64_t seed = options.seed; seed < options.seed + options.count; ++seed) {
+  for (std::uint64_t i = 0; i < options.count; ++i) {
+    const std::uint64_t seed = options.seed + i;
     if (!fs::exists(fs::symlink_status(file(seed), error))) {
       missing.push_back(seed);
       continue;

@@ -57,6 +57,7 @@ void say_results(const NativeProgram& native, std::span<const Setting> asked, co
     if (!result.problem().empty())
       sink.error("bad-parameter", asked[i].place, text::shown(result.problem(), 200));
     if (!result.is_unknown() || asked[i].is_preset) continue;
+    if (std::ranges::find(known_keys, asked[i].key) != known_keys.end()) continue;  // the body's
     std::vector<std::string> names = known_keys;
     for (const wire::Port& port : native.description.ports()) {
       if (port.role() == wire::Port::PARAMETER) names.push_back(port.path());
@@ -128,19 +129,14 @@ std::optional<RobotProgram> load_native_program(RobotProgram robot, const text::
   native->is_for_one_robot = sources.in_own_processes;
   native->executable = path_of(robot.name, sources).string();
   native->launch = launch_of_any(native->executable, wall, native->limits);
-  std::vector<Setting> asked;
-  for (const Setting& setting : settings) {
-    if (std::ranges::find(known_keys, setting.key) != known_keys.end()) continue;
-    asked.push_back(setting);
-    native->settings.emplace_back(setting.key, setting.value);
-  }
+  for (const Setting& setting : settings) native->settings.emplace_back(setting.key, setting.value);
   auto description = robot_host::describe(native->launch, native->settings, native->limits);
   if (!description) {
     refuse_executable(robot.name, place, description.error(), sink);
     return std::nullopt;
   }
   native->description = std::move(*description);
-  say_results(*native, asked, robot.name, known_keys, sink);
+  say_results(*native, settings, robot.name, known_keys, sink);
   drop_unknown(*native);
   if (sink.error_count() > errors_before) return std::nullopt;
   robot.body.insert(native->description.body().begin(), native->description.body().end());
