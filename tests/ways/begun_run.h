@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -16,13 +15,13 @@ namespace mlab {
 /// A run of a mission that has been told to execute; null, and the test fails, where there is none.
 /// @param patience  as of `mlab run` [s]
 /// @param told      gets what is told in the run, a line each; outlives it
-inline std::unique_ptr<run::MissionRun> begun_run(std::shared_ptr<const mission::Mission> mission,
+inline std::unique_ptr<run::MissionRun> begun_run(const std::shared_ptr<const mission::Mission>& mission,
                                                   double patience, std::string& told) {
   text::Diagnostics sink;
   run::RunSettings settings;
   settings.executive.patience = patience;
   settings.executive.proceed_all = true;
-  auto out = simulated::make_run(std::move(mission), {}, settings, sink);
+  auto out = simulated::make_run(mission, {}, settings, sink);
   if (!out) {
     ADD_FAILURE() << text::render(sink);
     return nullptr;
