@@ -34,6 +34,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"overlay", {"geom", "text"}},
     {"mission", {"overlay", "percept"}},
     {"binding", {"percept", "overlay"}},
+    {"vehicle", {"binding", "text"}},
     {"sim", {"binding"}},
     {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},

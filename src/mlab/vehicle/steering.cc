@@ -1,0 +1,37 @@
+#include "mlab/vehicle/steering.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mlab/binding/kinematics.h"
+
+namespace mlab::vehicle {
+namespace {
+
+double finite_or_zero(double value) {
+  return std::isfinite(value) ? value : 0.0;
+}
+
+}  // namespace
+
+Command cut_to(const Limits& limits, const Command& command) {
+  if (!std::isfinite(command.speed) || !std::isfinite(command.turn_rate)) return {};
+  const binding::Kinematics& k = limits.kinematics;
+  Command out = command;
+  if (k.max_speed > 0.0) out.speed = std::min(out.speed, k.max_speed);
+  out.speed = std::max(out.speed, std::min(limits.min_speed, 0.0));
+  if (k.max_turn_rate > 0.0) out.turn_rate = std::clamp(out.turn_rate, -k.max_turn_rate, k.max_turn_rate);
+  return out;
+}
+
+Command command_for(const Limits& limits, const percept::Action& action, const Motion* now, double dt) {
+  binding::Momentum momentum;
+  if (now != nullptr) {
+    momentum.speed = finite_or_zero(now->speed);
+    momentum.turn_rate = finite_or_zero(now->turn_rate);
+  }
+  const auto wanted = binding::drive(limits.kinematics, action, 0.0, geom::Offset{1.0, 0.0}, momentum, dt);
+  return cut_to(limits, {wanted.momentum.speed, wanted.momentum.turn_rate});
+}
+
+}  // namespace mlab::vehicle
