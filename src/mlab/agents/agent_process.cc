@@ -71,6 +71,15 @@ class AgentProcess {
         life_(std::move(life)),
         missed_(roster_->participant(), "agent " + settings.name) {}
 
+  /// @errors  a sentence: the vehicle can't be offered
+  std::optional<std::string> board() {
+    if (!settings_.vehicle) return std::nullopt;
+    auto begun = settings_.vehicle->begin(roster_->participant(), [this] { return is_stopped_.load(); });
+    if (!begun) return begun.error();
+    vehicle_ = std::move(*begun);
+    return std::nullopt;
+  }
+
   /// @errors  a sentence: it can't stay
   std::optional<std::string> serve(const std::stop_token& stop) {
     const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
@@ -100,6 +109,7 @@ class AgentProcess {
       give_up_the_lost();
       forget_the_ended();
     }
+    vehicle_.reset();
     life_.reset();
     static_cast<void>(presence_.end(settings_.name));
     for (auto& [key, conversation] : conversations_) conversation->end();
@@ -141,7 +151,8 @@ class AgentProcess {
     dds::Reader::Branch branch = requests_.branch(key.first, key.second, *waiter);
     const auto writer = std::make_shared<dds::Writer>(std::move(*answers));
     return std::make_unique<Conversation>(
-        robot_remote::AgentTerms{settings_.sources, settings_.offered, [this] { return is_stopped_.load(); },
+        robot_remote::AgentTerms{settings_.sources, settings_.offered, settings_.vehicle.has_value(),
+                                 [this] { return is_stopped_.load(); },
                                  [this] { return settings_.log->lines(); }},
         std::move(*waiter), std::move(branch),
         [writer, key, is_met = false](std::string_view message,
@@ -285,6 +296,7 @@ class AgentProcess {
       out.robots += static_cast<std::uint32_t>(conversation->robot_count());
       if (conversation->has_opened()) ++out.runs;
     }
+    if (vehicle_) out.robots = out.runs = static_cast<std::uint32_t>(vehicle_->robot_count());
     return out;
   }
   bool has_other_robots() const { return load() != said_load_; }
@@ -308,6 +320,7 @@ class AgentProcess {
     said.set_robots(said_load_.robots);
     said.set_runs(said_load_.runs);
     next_presence_ = Clock::now() + kPresence;
+    if (settings_.vehicle) *said.mutable_vehicle() = settings_.vehicle->said;
     if (executable_) {
       said.mutable_offered()->set_name(executable_->name);
       said.mutable_offered()->set_source(executable_->source);
@@ -335,6 +348,7 @@ class AgentProcess {
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
   std::set<Key> greeted_;  // whose beginning was told
   std::set<Key> parted_;   // and whose end
+  std::unique_ptr<Companion> vehicle_;  // null: it is no vehicle's
 };
 
 }  // namespace
@@ -382,6 +396,7 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   AgentProcess process(settings, std::move(executable), std::move(*roster), std::move(*waiter),
                        std::move(*requests), std::move(*stops), std::move(*echoes), std::move(*presence),
                        std::move(*life));
+  if (auto problem = process.board()) return problem;
   if (settings.tell_ready) settings.tell_ready();
   return process.serve(stop);
 }

@@ -9,12 +9,37 @@
 
 #include "mlab/agents/agent_log.h"
 #include "mlab/dds/network.h"
+#include "mlab/dds/participant.h"
+#include "mlab/presence.pb.h"
 #include "mlab/robot/program/robot_program.h"
 
 namespace mlab::agents {
 
 /// What this machine calls itself; empty: nothing.
 std::string machine_name();
+
+/// What has the network of an agent's process at its disposal, beside it. On a thread of its own, if it needs
+/// one; ends with the object.
+class Companion {
+ public:
+  Companion() = default;
+  Companion(const Companion&) = delete;
+  Companion& operator=(const Companion&) = delete;
+  virtual ~Companion() = default;
+  /// Robots that it has a run drive at present.
+  virtual std::size_t robot_count() const = 0;
+};
+
+/// A vehicle whose process takes part as an agent does: it has a name, is seen, and obeys the emergency stop.
+/// It carries no programs.
+struct OfferedVehicle {
+  wire::OfferedVehicle said;
+  /// @param is_stopped  an emergency stop holds; by any thread
+  /// @errors  a sentence
+  std::function<std::expected<std::unique_ptr<Companion>, std::string>(dds::Participant& participant,
+                                                                       std::function<bool()> is_stopped)>
+      begin;
+};
 
 struct AgentSettings {
   dds::Network network;
@@ -23,6 +48,7 @@ struct AgentSettings {
   robot::ProgramSources sources;
   /// Path of the executable whose robots it carries, and no others; empty: those that are built from text.
   std::string offered = {};
+  std::optional<OfferedVehicle> vehicle = {};  ///< nothing: it is no vehicle's, but carries programs
   /// File that an emergency stop is kept in, so that the agent still stands when it is started again; empty:
   /// it is not kept.
   std::string stop_file = {};

@@ -35,7 +35,8 @@ std::optional<robot::ExecutableOrigin> offered_by(const wire::AgentPresence& age
 
 // Robots of that program may be carried there, if the name is right.
 bool offers(const wire::AgentPresence& agent, const robot::RobotProgram& program) {
-  return agent.offered().source() == (program.executable ? program.executable->source : 0);
+  return !agent.has_vehicle() &&
+         agent.offered().source() == (program.executable ? program.executable->source : 0);
 }
 
 bool is_other_version(const wire::AgentPresence& agent, const robot::RobotProgram& program) {
@@ -69,7 +70,7 @@ class Recruits {
     robot_remote::RemoteRunner::Newcomers out;
     out.why_none = why_none(program);
     for (const Member& one : roster_->members()) {
-      if (one.state != Member::State::kThere) continue;
+      if (one.state != Member::State::kThere || one.said.has_vehicle()) continue;
       const bool may_be_meant = program.host.empty() || one.said.name() == program.host;
       if (may_be_meant && is_other_version(one.said, program))
         out.why_none = fmt::format("`{}` offers another version of `{}`: copy yours to it, and start it anew",
@@ -106,10 +107,14 @@ class Recruits {
     if (const auto named = host.empty() ? std::nullopt : roster_->find(program.host);
         named && named->state == Member::State::kThere && !offers(named->said, program))
       return fmt::format(
-          "`{}` carries {}", host,
-          named->said.has_offered()
-              ? fmt::format("robots of the executable `{}`, and no others", named->said.offered().name())
-              : "robots that are built from text, and no executables");
+          "`{}` {}", host,
+          named->said.has_vehicle()
+              ? (period_ > 0.0 ? "is a vehicle, which has joined after the run began: start the run anew"
+                             : "is a vehicle, which --real-time drives")
+          : named->said.has_offered()
+              ? fmt::format("carries robots of the executable `{}`, and no others",
+                            named->said.offered().name())
+              : "carries robots that are built from text, and no executables");
     if (program.executable)
       return fmt::format("{} in the fleet `{}` offers `{}`: there, `{} --fleet {}{}` does", who, fleet,
                          text::shown(program.executable->name),

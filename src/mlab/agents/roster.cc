@@ -26,6 +26,7 @@ std::optional<wire::AgentPresence> checked(const dds::Arrival& arrival) {
     if (out.offered().source() == 0) return std::nullopt;
     out.mutable_offered()->set_name(text::shown(out.offered().name(), 64));
   }
+  if (out.has_vehicle()) out.mutable_vehicle()->set_kind(text::shown(out.vehicle().kind(), 64));
   if (!decode(out.stop())) return std::nullopt;
   return out;
 }

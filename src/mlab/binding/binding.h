@@ -35,6 +35,12 @@ struct Ailment {
   std::string what;  ///< a sentence without its subject: `has no percepts any more`
 };
 
+/// Something that came from a body that is not simulated.
+struct Heard {
+  std::string vehicle;  ///< its name
+  std::string said;     ///< bytes that anybody may have sent
+};
+
 /// What became of bodies when the map was changed under them.
 struct MapChange {
   std::vector<base::RobotId> moved_by_obstacles;  ///< that stood where there is one now
@@ -71,6 +77,15 @@ class Binding {
   virtual Capabilities capabilities(BodyIndex body) const = 0;
   /// Adds the bodies that can't take part in the coming cycle; none: all is well.
   virtual void health(std::vector<Ailment>& out) = 0;
+
+  // ---- what comes from bodies that are not simulated
+
+  /// Adds what has come since the last call. Nothing changes here before it is taken: so that it can be kept,
+  /// and taken again at the same moment of a run that is computed anew.
+  virtual void hear(std::vector<Heard>& /*out*/) {}
+  virtual void take(const Heard& /*heard*/) {}
+  /// What has to be known, beside what is heard, to make such bodies again, as bytes; empty: there are none.
+  virtual std::vector<std::string> vehicles() const { return {}; }
 
   // ---- the cycle
 
@@ -114,6 +129,15 @@ class Binding {
   /// @param kept  of this binding, or of another one of this kind and seed
   /// @return  false: it is of another kind, and nothing has changed
   virtual bool restore(const Kept& /*kept*/) { return false; }
+
+  /// Puts a body where somebody else has found it: one that stands for something real. It may overlap others
+  /// then, which keep off it.
+  /// @param velocity  over the ground [m/s, world]
+  /// @return  false: bodies here are where they are
+  virtual bool place(BodyIndex /*body*/, const geom::Pose& /*pose*/, geom::Offset /*velocity*/,
+                     double /*turn_rate*/) {
+    return false;
+  }
 
   // ---- what is made up can be changed; a world that is there as it is stays so
 

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <numbers>
+#include <optional>
+#include <string>
 
 #include "mlab/base/id.h"
 #include "mlab/geom/pose.h"
@@ -91,13 +93,17 @@ struct Capabilities {
   std::uint16_t range_sensors = 0;  ///< beams of its ring; 0: it has none
   double max_speed = 0.0;           ///< [m/s]; 0: no limit that is known
   double max_turn_rate = 0.0;       ///< [rad/s]; 0: no limit that is known
+  /// How it turns wanted velocities into motion; nothing: as the mission says.
+  std::optional<Kinematics> kinematics = {};
+  bool overlooks = false;  ///< it may not sense all obstacles that are within the reach of its sensors
 
   friend bool operator==(const Capabilities&, const Capabilities&) = default;
 };
 
 /// Those of a body that is as the mission wants it.
 constexpr Capabilities capabilities_of(const BodySpec& spec) {
-  return {spec.radius, spec.ring.count, spec.kinematics.max_speed, spec.kinematics.max_turn_rate};
+  return {spec.radius, spec.ring.count, spec.kinematics.max_speed, spec.kinematics.max_turn_rate, {},
+          spec.has_ring_obstacles};
 }
 
 /// A body to be put into the world.
@@ -108,6 +114,7 @@ struct BodySetup {
   std::uint32_t unit = 0;  ///< bodies of the same unit see each other as mates; 0: of no unit
   percept::ObjectClass seen_as =
       percept::ObjectClass::kFriendlyRobot;  ///< in lists of robots and of objects, by its colour
+  std::string vehicle = {};                  ///< the real vehicle that is its body; empty: none is
 };
 
 /// A body that pushes against a thing again within this time after it last did so is still in the same

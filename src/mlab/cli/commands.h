@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -154,6 +155,18 @@ struct AgentOptions {
 };
 /// Carries robots for runs of a fleet, until it is interrupted.
 int agent(const AgentOptions& options);
+
+struct RobotOptions {
+  NetworkOptions network;
+  std::string name;           ///< in the fleet; empty: the machine's
+  std::string binding;        ///< the kind of vehicle
+  std::string device;         ///< where it is connected, where its kind wants that
+  std::string world;          ///< overlay, of a simulated one
+  std::array<double, 3> at{}; ///< where that starts [m, m, deg]
+  std::uint64_t seed = 1;     ///< of its noise
+};
+/// Lets runs of a fleet drive a vehicle, until it is interrupted.
+int robot(const RobotOptions& options);
 
 struct FleetOptions {
   NetworkOptions network;

@@ -20,11 +20,13 @@
 #include "mlab/cli/agent_options.h"
 #include "mlab/cli/batch_options.h"
 #include "mlab/cli/commands.h"
+#include "mlab/cli/fleet_options.h"
 #include "mlab/cli/commands/export.h"
 #include "mlab/cli/fleet_words.h"
 #include "mlab/cli/option_groups.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/replay_options.h"
+#include "mlab/cli/robot_options.h"
 #include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"
 #include "mlab/text/diagnostic.h"
@@ -318,47 +320,6 @@ void add_bench(CLI::App& app, BenchOptions& o) {
   c->add_option("--json", o.json, "write the figures to a file")->type_name("FILE");
 }
 
-void add_fleet(CLI::App& app, FleetOptions& o) {
-  CLI::App* c = app.add_subcommand(
-      "fleet", "Who is in a fleet: machines, robots, versions; live on a terminal. Its emergency stop.");
-  c->add_option("fleet", o.network.fleet, "the fleet")
-      ->default_str("default")
-      ->check(refuse_unless_name)
-      ->type_name("NAME");
-  add_network(c, o.network);
-  c->add_flag("--once", o.once, "say it once, and end");
-  auto* const json = c->add_flag("--json", o.json, "say it once, as JSON");
-  auto* const stop = c->add_flag("--stop", o.stop,
-                                 "EMERGENCY STOP: all robots of the fleet stand, until somebody releases it");
-  auto* const release = c->add_flag("--release", o.release, "release the emergency stop")->excludes(stop);
-  c->add_option("--log", o.log, "what the agent of that name told last")
-      ->excludes(stop)
-      ->excludes(release)
-      ->excludes(json)
-      ->check(refuse_unless_name)
-      ->type_name("NAME");
-}
-
-void add_keys(CLI::App& app, KeysOptions& o) {
-  CLI::App* c = app.add_subcommand("keys",
-                                   "Make the keys of a secured fleet where there are none, and say where "
-                                   "they are. Members take part with\n"
-                                   "--secure (docs/robots_of_their_own.md).");
-  c->add_option("fleet", o.fleet, "the fleet")
-      ->default_str("default")
-      ->check(refuse_unless_name)
-      ->type_name("NAME");
-  auto* const added =
-      c->add_option("--add", o.add,
-                    "make the identity of another machine, to be brought there; own: this one's")
-          ->check(refuse_if_empty)
-          ->type_name("NAME");
-  c->add_option("--withdraw", o.withdraw, "that identity belongs to the fleet no more")
-      ->excludes(added)
-      ->check(refuse_if_empty)
-      ->type_name("NAME");
-}
-
 void add_lsp(CLI::App& app, bool& says_stdio) {
   CLI::App* c = app.add_subcommand(
       "lsp", "Language server for editors: LSP 3.17 over standard input and output (docs/editors.md).");
@@ -495,6 +456,7 @@ struct AllOptions {
   ImportOptions import;
   BenchOptions bench;
   AgentOptions agent;
+  RobotOptions robot;
   FleetOptions fleet;
   KeysOptions keys;
   ReplayOptions replay;
@@ -523,6 +485,7 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_import(app, o.import);
   add_bench(app, o.bench);
   add_agent_options(app.add_subcommand("agent", kAgentDescription), o.agent);
+  add_robot(app, o.robot);
   add_fleet(app, o.fleet);
   o.replay.threads = o.trace.replay.threads = o.compare.threads = o.run.threads;
   CLI::App* const replay = app.add_subcommand("replay", kReplayDescription);
@@ -550,6 +513,7 @@ int do_as_told(CLI::App& app, const AllOptions& o) {
   if (app.got_subcommand("import")) return import(o.import);
   if (app.got_subcommand("lsp")) return lsp();
   if (app.got_subcommand("agent")) return agent(o.agent);
+  if (app.got_subcommand("robot")) return robot(o.robot);
   if (app.got_subcommand("fleet")) return show_fleet(o.fleet);
   if (app.got_subcommand("keys")) return keys(o.keys);
   if (app.got_subcommand("replay")) return replay(o.replay);

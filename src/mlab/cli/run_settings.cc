@@ -12,6 +12,7 @@
 #include "mlab/cli/files.h"
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/fleet_stop.h"
+#include "mlab/cli/fleet_vehicles.h"
 #include "mlab/cli/fleet_words.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
@@ -106,6 +107,7 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
                                       std::uint64_t seed, double cycle_duration) {
     return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0, hints);
   };
+  if (options.real_time) settle_vehicles(*roster, out.settings);
   return std::nullopt;
 }
 

@@ -59,7 +59,7 @@ void Fleet::look_for_passage(const FleetRobot& robot, double reach) {
 Situation Fleet::situation(const FleetRobot& robot) const {
   Situation out;
   out.rows = robot.failsafes;
-  out.kinematics = &robot.body_spec.kinematics;
+  out.kinematics = &robot.kinematics;
   out.radius = robot.capabilities.radius;
   out.cruise_speed = robot.program->number("base_velocity").value_or(kCruiseSpeed);
   if (robot.life == RobotLife::kNotStarted) return out;

@@ -50,6 +50,7 @@ struct FleetRobot {
   const robot::RobotProgram* program = nullptr;
   binding::BodySpec body_spec;         ///< as the mission wants it
   binding::Capabilities capabilities;  ///< as it is, once started; before, as the mission wants it
+  binding::Kinematics kinematics;      ///< likewise
   percept::ObjectClass seen_as = percept::ObjectClass::kFriendlyRobot;  ///< when it starts, by its colour
   RobotLife life = RobotLife::kNotStarted;
   binding::BodyIndex body = binding::kNoBody;  ///< once started

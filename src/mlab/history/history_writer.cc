@@ -100,6 +100,7 @@ void HistoryWriter::begin(run::MissionRun& run, const Circumstances& circumstanc
   beginning.set_holds_answers(true);
   *beginning.mutable_executive() = to_wire(settings.executive);
   beginning.set_started_at(circumstances.started_at);
+  for (std::string& vehicle : run.vehicles()) beginning.add_vehicles(std::move(vehicle));
   put_mission(*run.crew(), *beginning.mutable_mission());
   put(said);
   if (answers_->is_needed(*run.crew())) run.set_answer_witness(answers_.get());

@@ -12,6 +12,7 @@
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/simulated/run.h"
 #include "mlab/text/shown.h"
+#include "mlab/vehicle/bodies.h"
 
 namespace mlab::history {
 namespace {
@@ -68,6 +69,14 @@ std::unique_ptr<run::MissionRun> Remaker::begin(text::Diagnostics& sink) {
                          return std::make_unique<RecordedRunner>(history, std::move(cycle));
                        },
                        beginning.is_in_real_time()};
+  if (!beginning.vehicles().empty()) {
+    settings.vehicles = [recorded = std::vector<std::string>(beginning.vehicles().begin(),
+                                                             beginning.vehicles().end())](
+                            const mission::Mission& /*mission*/,
+                            std::unique_ptr<binding::Binding> simulated) {
+      return vehicle::recorded_bodies(std::move(simulated), recorded);
+    };
+  }
   first_ = crew_;
   return begin_again();
 }
@@ -84,6 +93,9 @@ robot::ProgramSources Remaker::prepare(const wire::HistoryMission& version) {
   sources.came_from_elsewhere = true;
   sources.limits = tools_.limits;
   sources.in_own_processes = tools_.in_own_processes;
+  sources.is_vehicle = [names = vehicle::recorded_names({history_.beginning().vehicles().begin(),
+                                                         history_.beginning().vehicles().end()})](
+                           const std::string& host) { return names.contains(host); };
   if (!version.programs().empty()) {
     sources.recorded = [version](const std::string& name,
                                  std::string_view type) -> std::shared_ptr<const robot::RecordedProgram> {

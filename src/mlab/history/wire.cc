@@ -150,6 +150,10 @@ void encode(const run::Input& from, wire::HistoryInput& out) {
                    parameter.set_value(set.value);
                  },
                  [&](const run::input::Intervened& one) { encode(one, *out.mutable_intervention()); },
+                 [&](const run::input::Heard& one) {
+                   out.mutable_heard()->set_vehicle(one.heard.vehicle);
+                   out.mutable_heard()->set_said(one.heard.said);
+                 },
              },
              from);
 }
@@ -182,6 +186,8 @@ std::optional<run::Input> decode(const wire::HistoryInput& from) {
       return run::input::Intervened{
           {one.robot()}, static_cast<run::InterventionRecord::Kind>(one.kind()), one.path(), one.value()};
     }
+    case Body::kHeard:
+      return run::input::Heard{{from.heard().vehicle(), from.heard().said()}};
     case Body::kExchanged:
     case Body::BODY_NOT_SET:
       break;

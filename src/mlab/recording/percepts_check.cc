@@ -10,6 +10,7 @@
 #include <google/protobuf/message.h>
 #include <google/protobuf/wire_format_lite.h>
 
+#include "mlab/binding/body.h"
 #include "mlab/percept/action.h"
 #include "mlab/robot/wire/action_wire.h"
 #include "mlab/robot/wire/percepts_wire.h"
@@ -132,6 +133,12 @@ std::optional<std::string> problem_of(const wire::RecordedWorld& world) {
 
 std::optional<std::string> problem_of(const wire::RecordedBody& body) {
   if (body.radius() < 0.0) return fmt::format("robot {} has a radius of {} m", body.robot(), body.radius());
+  constexpr auto kLastDrive = static_cast<std::uint32_t>(binding::Drive::kSynchro);
+  if (body.has_kinematics() && body.kinematics().drive() > kLastDrive)
+    return fmt::format("robot {} has drive {}, where {} is the last", body.robot(), body.kinematics().drive(),
+                       kLastDrive);
+  if (body.has_kinematics() && !(body.kinematics().wheelbase() > 0.0))
+    return fmt::format("robot {} has a wheelbase of {} m", body.robot(), body.kinematics().wheelbase());
   constexpr std::uint32_t kMostSensors = std::numeric_limits<std::uint16_t>::max();
   if (body.range_sensors() <= kMostSensors) return std::nullopt;
   return fmt::format("robot {} has {} range sensors, where {} are the most", body.robot(),

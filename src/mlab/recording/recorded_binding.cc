@@ -18,6 +18,18 @@ geom::Pose pose_of(const wire::Pose& pose) {
   return {{pose.x(), pose.y()}, pose.heading()};
 }
 
+binding::Kinematics kinematics_of(const wire::RecordedKinematics& kinematics) {
+  return {static_cast<binding::Drive>(kinematics.drive()),
+          kinematics.axle(),
+          kinematics.max_wheel_speed(),
+          kinematics.wheelbase(),
+          kinematics.max_steer(),
+          kinematics.max_speed(),
+          kinematics.max_acceleration(),
+          kinematics.max_turn_rate(),
+          kinematics.max_turn_acceleration()};
+}
+
 binding::Object object_of(const wire::RecordedObject& object) {
   return {{object.id()},
           static_cast<percept::ObjectClass>(object.object_class()),
@@ -85,8 +97,10 @@ void RecordedBinding::release(binding::BodyIndex number) {
 
 binding::Capabilities RecordedBinding::capabilities(binding::BodyIndex body) const {
   const wire::RecordedBody& made = bodies_[body.value].made;
-  return {made.radius(), static_cast<std::uint16_t>(made.range_sensors()), made.max_speed(),
-          made.max_turn_rate()};
+  binding::Capabilities out{made.radius(), static_cast<std::uint16_t>(made.range_sensors()), made.max_speed(),
+                            made.max_turn_rate(), {}, made.overlooks()};
+  if (made.has_kinematics()) out.kinematics = kinematics_of(made.kinematics());
+  return out;
 }
 
 RecordedBinding::Body* RecordedBinding::find(std::uint32_t robot) {

@@ -14,6 +14,18 @@ void put(const geom::Pose& pose, wire::Pose& out) {
   out.set_heading(pose.heading);
 }
 
+void put(const binding::Kinematics& kinematics, wire::RecordedKinematics& out) {
+  out.set_drive(static_cast<std::uint32_t>(kinematics.drive));
+  out.set_axle(kinematics.axle);
+  out.set_max_wheel_speed(kinematics.max_wheel_speed);
+  out.set_wheelbase(kinematics.wheelbase);
+  out.set_max_steer(kinematics.max_steer);
+  out.set_max_speed(kinematics.max_speed);
+  out.set_max_acceleration(kinematics.max_acceleration);
+  out.set_max_turn_rate(kinematics.max_turn_rate);
+  out.set_max_turn_acceleration(kinematics.max_turn_acceleration);
+}
+
 void put(geom::Point point, wire::Points& out) {
   out.add_x(point.x);
   out.add_y(point.y);
@@ -58,6 +70,8 @@ std::expected<binding::Placement, std::string> RecordingBinding::embody(const bi
   body.set_range_sensors(capabilities.range_sensors);
   body.set_max_speed(capabilities.max_speed);
   body.set_max_turn_rate(capabilities.max_turn_rate);
+  body.set_overlooks(capabilities.overlooks);
+  if (capabilities.kinematics) put(*capabilities.kinematics, *body.mutable_kinematics());
   file_->write(entry);
   return placement;
 }

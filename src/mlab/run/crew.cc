@@ -90,6 +90,7 @@ std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& typ
                                  type.name);
   if (!out) return out;
   out->host = type.host;
+  out->is_of_vehicle = sources.is_vehicle && !type.host.empty() && sources.is_vehicle(type.host);
   if (out->native && !type.host.empty())
     sink.warning(
         "stays-with-run", type.place,

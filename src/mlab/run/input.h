@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "mlab/base/id.h"
+#include "mlab/binding/binding.h"
 #include "mlab/mission/event.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/run/crew.h"
@@ -49,9 +50,13 @@ struct Intervened {
 struct StandStill {
   bool stands_still = false;
 };
+/// What a body has said that is not simulated.
+struct Heard {
+  binding::Heard heard;
+};
 }  // namespace input
 using Input = std::variant<input::Posted, input::Exchanged, input::EmergencyStop, input::Steered,
-                           input::ParameterSet, input::Intervened, input::StandStill>;
+                           input::ParameterSet, input::Intervened, input::StandStill, input::Heard>;
 
 /// When something came: between which two cycles, and on which side of what the executive did there.
 struct Moment {

@@ -43,6 +43,7 @@ MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
 }
 
 void MissionRun::post(const mission::Event& event) {
+  hear_bodies();
   note(input::Posted{event});
   carry_out(event);
 }
@@ -156,6 +157,7 @@ void MissionRun::look() {
 }
 
 MissionRun::Progress MissionRun::step() {
+  hear_bodies();
   if (now_.is_stopped) return brake();
   look();
   if (is_over() && !(settings_.goes_on_when_done && now_.executive.outcome == mission::Outcome::kDone))

@@ -40,6 +40,14 @@ struct RunSettings {
   /// @param cycle_duration  of the mission [s]
   std::function<std::unique_ptr<robot::ProgramRunner>(std::uint64_t seed, double cycle_duration)>
       robots_elsewhere = {};
+  /// Whether the host that a robot's type names is a vehicle, and so its body; may wait for it to be found.
+  /// Empty: none is.
+  std::function<bool(const std::string& host)> is_vehicle = {};
+  /// Makes the bodies of a mission some of whose robots are vehicles out of simulated ones; empty: all are
+  /// simulated.
+  std::function<std::unique_ptr<binding::Binding>(const mission::Mission& mission,
+                                                  std::unique_ptr<binding::Binding> simulated)>
+      vehicles = {};
   /// What programs answered that can't be computed again.
   struct Recorded {
     /// Makes what says it for one run, of which it is told how many cycles have run, the one that is being
@@ -74,6 +82,9 @@ class MissionRun {
   using Observer = std::function<void(const mission::Effect&)>;
   void set_observer(Observer observer) { observer_ = std::move(observer); }
   /// Called for all that comes in from outside, before it has any effect.
+  /// As binding::Binding::vehicles.
+  std::vector<std::string> vehicles() const { return binding_->vehicles(); }
+
   using InputObserver = std::function<void(const Moment&, const Input&)>;
   void set_input_observer(InputObserver observer) { input_observer_ = std::move(observer); }
   /// As fleet::Fleet.
@@ -204,6 +215,9 @@ class MissionRun {
   Progress brake();
   /// Something comes in.
   void note(const Input& input);
+  void hear(const binding::Heard& heard);
+  /// Takes what has come from bodies that are not simulated.
+  void hear_bodies();
   void carry_out(const mission::Event& event);
   void change_world(const overlay::Overlay& before, const overlay::Overlay& after);
   void tell_moved(const std::vector<base::RobotId>& moved, std::string_view by);
@@ -231,6 +245,7 @@ class MissionRun {
   std::unique_ptr<fleet::Fleet> fleet_;
   Observer observer_;
   InputObserver input_observer_;
+  std::vector<binding::Heard> heard_;  // of this cycle
   std::vector<base::RobotId> teleoperated_;  // filled anew in each cycle
   mission::event::Cycle report_;             // filled anew for each
 };

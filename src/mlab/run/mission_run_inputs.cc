@@ -30,6 +30,7 @@ void MissionRun::take(const Input& input) {
                  },
                  [&](const input::ParameterSet& set) { set_parameter(set.robot, set.port, set.value); },
                  [&](const input::StandStill& still) { set_stands_still_for_operator(still.stands_still); },
+                 [&](const input::Heard& heard) { hear(heard.heard); },
                  [&](const input::Intervened& one) {
                    switch (one.kind) {
                      case InterventionRecord::Kind::kForce:
@@ -48,6 +49,17 @@ void MissionRun::take(const Input& input) {
                  },
              },
              input);
+}
+
+void MissionRun::hear(const binding::Heard& heard) {
+  note(input::Heard{heard});
+  binding_->take(heard);
+}
+
+void MissionRun::hear_bodies() {
+  heard_.clear();
+  binding_->hear(heard_);
+  for (const binding::Heard& one : heard_) hear(one);
 }
 
 void MissionRun::set_emergency_stop(bool stopped) {

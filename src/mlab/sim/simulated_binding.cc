@@ -45,6 +45,9 @@ SimulatedBinding::SimulatedBinding(World world, SimulatorSettings settings)
       buffers_(static_cast<std::size_t>(workers().count())) {}
 
 std::expected<Placement, std::string> SimulatedBinding::embody(const BodySetup& setup) {
+  if (!setup.vehicle.empty())
+    return std::unexpected("the vehicle `" + setup.vehicle +
+                           "` is its body, and this run did not find it when it began: start the run anew");
   const std::optional<Placement> placement = simulator_.add_body(setup);
   if (!placement) return std::unexpected("there is no free place near");
   if (!breakdowns_.empty()) note_breakdown(placement->body, setup.robot);

@@ -30,6 +30,11 @@ class SimulatedBinding final : public binding::Binding, private binding::WorldVi
   Workers& workers() const override { return simulator_.workers(); }
   const binding::WorldView& view() const override { return *this; }
 
+  bool place(BodyIndex body, const geom::Pose& pose, geom::Offset velocity, double turn_rate) override {
+    simulator_.put_body(body, pose, velocity, turn_rate);
+    return true;
+  }
+
   std::expected<std::shared_ptr<const Kept>, std::string> save() const override;
   bool restore(const Kept& kept) override;
 

@@ -323,6 +323,22 @@ void Simulator::set_unit(BodyIndex body, std::uint32_t unit) {
   parts_->state.bodies.unit[body.value] = unit;
 }
 
+void Simulator::put_body(BodyIndex body, const geom::Pose& pose, geom::Offset velocity, double turn_rate) {
+  if (!is_inside(kWholeWorld, pose.position)) return;
+  Bodies& bodies = parts_->state.bodies;
+  const std::uint32_t i = body.value;
+  const geom::Offset ahead{std::cos(pose.heading), std::sin(pose.heading)};
+  bodies.distance[i] += distance(bodies.position(i), pose.position);
+  bodies.x[i] = pose.position.x;
+  bodies.y[i] = pose.position.y;
+  bodies.heading[i] = pose.heading;
+  bodies.ahead[i] = ahead;
+  bodies.counted[i] = pose;
+  bodies.momentum[i] = {velocity, dot(velocity, ahead), turn_rate};
+  parts_->is_stale = true;
+  parts_->is_placer_stale = true;
+}
+
 void Simulator::sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& buffer,
                       percept::Percepts& out) const {
   parts_->refresh();

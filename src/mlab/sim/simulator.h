@@ -84,6 +84,9 @@ class Simulator {
   /// Changes the unit, as for BodySetup::unit.
   void set_unit(BodyIndex body, std::uint32_t unit);
 
+  /// Puts a body somewhere, whatever is there: as Binding::place.
+  void put_body(BodyIndex body, const geom::Pose& pose, geom::Offset velocity, double turn_rate);
+
   // ---- the cycle
 
   /// Fills the fields of `out` that sensing gives: pose, time, obstacles, robots, objects, camera,

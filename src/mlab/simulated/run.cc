@@ -13,7 +13,8 @@ std::unique_ptr<binding::Binding> make_bodies(const mission::Mission& mission,
   sim::SimulatorSettings around{settings.seed, settings.threads, {}};
   for (const Breakdown& one : breakdowns_of(mission, settings.seed))
     around.breakdowns.push_back({one.robot, one.after});
-  return std::make_unique<sim::SimulatedBinding>(sim::world_of(mission.overlay), std::move(around));
+  auto out = std::make_unique<sim::SimulatedBinding>(sim::world_of(mission.overlay), std::move(around));
+  return settings.vehicles ? settings.vehicles(mission, std::move(out)) : std::move(out);
 }
 
 std::unique_ptr<run::MissionRun> make_run(std::shared_ptr<const run::Crew> crew,

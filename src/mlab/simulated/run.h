@@ -11,7 +11,7 @@
 
 namespace mlab::simulated {
 
-/// Bodies in a simulated world of the mission's map.
+/// Bodies in a simulated world of the mission's map, and vehicles that stand in it.
 std::unique_ptr<binding::Binding> make_bodies(const mission::Mission& mission,
                                               const run::RunSettings& settings);
 

@@ -15,6 +15,10 @@ namespace mlab::vehicle {
 /// Nobody sets it; times of vehicles' own clocks are put onto it when something of theirs arrives.
 using Clock = std::chrono::steady_clock;
 
+inline double seconds_between(Clock::time_point before, Clock::time_point after) {
+  return std::chrono::duration<double>(after - before).count();
+}
+
 /// What a vehicle is, and what it may be asked for. It holds whatever a mission or a behavior says.
 struct Limits {
   binding::Kinematics kinematics;  ///< never holonomic

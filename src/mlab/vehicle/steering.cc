@@ -6,13 +6,6 @@
 #include "mlab/binding/kinematics.h"
 
 namespace mlab::vehicle {
-namespace {
-
-double finite_or_zero(double value) {
-  return std::isfinite(value) ? value : 0.0;
-}
-
-}  // namespace
 
 Command cut_to(const Limits& limits, const Command& command) {
   if (!std::isfinite(command.speed) || !std::isfinite(command.turn_rate)) return {};
@@ -24,12 +17,11 @@ Command cut_to(const Limits& limits, const Command& command) {
   return out;
 }
 
-Command command_for(const Limits& limits, const percept::Action& action, const Motion* now, double dt) {
+Command command_for(const Limits& limits, const percept::Action& action, const Command& before, double dt) {
+  const Command now = cut_to(limits, before);
   binding::Momentum momentum;
-  if (now != nullptr) {
-    momentum.speed = finite_or_zero(now->speed);
-    momentum.turn_rate = finite_or_zero(now->turn_rate);
-  }
+  momentum.speed = now.speed;
+  momentum.turn_rate = now.turn_rate;
   const auto wanted = binding::drive(limits.kinematics, action, 0.0, geom::Offset{1.0, 0.0}, momentum, dt);
   return cut_to(limits, {wanted.momentum.speed, wanted.momentum.turn_rate});
 }

@@ -37,25 +37,23 @@ TEST(Steering, StandsWhereTheCommandIsNoNumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(cut_to(rover(), {nan, 0.2}), Command{});
   EXPECT_EQ(cut_to(rover(), {0.2, std::numeric_limits<double>::infinity()}), Command{});
-  EXPECT_EQ(command_for(rover(), wants(nan, nan), nullptr, 0.1), Command{});
+  EXPECT_EQ(command_for(rover(), wants(nan, nan), {}, 0.1), Command{});
 }
 
 TEST(Steering, StandsWhereNobodyDrives) {
   percept::Action nobody;
   nobody.velocity = {1.0, 0.0, 0.0};
-  EXPECT_EQ(command_for(rover(), nobody, nullptr, 0.1), Command{});
+  EXPECT_EQ(command_for(rover(), nobody, {}, 0.1), Command{});
 }
 
 TEST(Steering, GathersSpeedAsTheVehicleCan) {
-  EXPECT_DOUBLE_EQ(command_for(rover(), wants(1.0, 0.0), nullptr, 0.1).speed, 0.2);
-  Motion now;
-  now.speed = 0.5;
-  EXPECT_DOUBLE_EQ(command_for(rover(), wants(1.0, 0.0), &now, 0.1).speed, 0.7);
+  EXPECT_DOUBLE_EQ(command_for(rover(), wants(1.0, 0.0), {}, 0.1).speed, 0.2);
+  EXPECT_DOUBLE_EQ(command_for(rover(), wants(1.0, 0.0), {0.5, 0.0}, 0.1).speed, 0.7);
 }
 
 TEST(Steering, TurnsTowardsWhereItIsToGo) {
-  EXPECT_DOUBLE_EQ(command_for(rover(), wants(0.0, 1.0), nullptr, 0.1).turn_rate, 0.5);
-  EXPECT_DOUBLE_EQ(command_for(rover(), wants(0.0, -1.0), nullptr, 0.1).turn_rate, -0.5);
+  EXPECT_DOUBLE_EQ(command_for(rover(), wants(0.0, 1.0), {}, 0.1).turn_rate, 0.5);
+  EXPECT_DOUBLE_EQ(command_for(rover(), wants(0.0, -1.0), {}, 0.1).turn_rate, -0.5);
 }
 
 }  // namespace

@@ -96,7 +96,9 @@ std::string table_of(const std::string& fleet, const std::vector<Member>& member
         one.said.runs(), fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
         fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()),
         one.said.version() +
-            (one.said.has_offered() ? fmt::format(", `{}` only", one.said.offered().name()) : ""));
+            (one.said.has_offered()   ? fmt::format(", `{}` only", one.said.offered().name())
+             : one.said.has_vehicle() ? fmt::format(", vehicle: {}", one.said.vehicle().kind())
+                                      : ""));
   }
   return out;
 }
@@ -126,7 +128,8 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
          {"free_memory_bytes", one.said.free_memory()},
          {"uptime_s", one.said.uptime()},
          {"version", one.said.version()},
-         {"executable", one.said.has_offered() ? nlohmann::json(one.said.offered().name()) : nullptr}});
+         {"executable", one.said.has_offered() ? nlohmann::json(one.said.offered().name()) : nullptr},
+         {"vehicle", one.said.has_vehicle() ? nlohmann::json(one.said.vehicle().kind()) : nullptr}});
   }
   return nlohmann::json{{"fleet", fleet}, {"agents", agents}}.dump(2) + "\n";
 }

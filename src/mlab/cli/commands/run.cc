@@ -78,8 +78,9 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
   out.stop_line = manner->settings.stop_line;
   text::Diagnostics& sink = out.warnings;
   const std::string folder = std::filesystem::path(options.mission).parent_path().string();
-  const robot::ProgramSources sources =
+  robot::ProgramSources sources =
       mission_sources(options, permission_to_run(options, cell::Grounds::People::kHere, folder));
+  sources.is_vehicle = manner->settings.is_vehicle;
   auto set = settings_of(options);
   if (!set) return std::nullopt;
   const std::shared_ptr<const mission::Mission> mission = load(options, sources, std::move(*set), sink);

@@ -74,6 +74,7 @@ robot::ProgramSources RunMaker::program_sources_with(const text::Files* trial_fi
   if (out.files == nullptr) out.project = root_of(documents_.mission_folder(), settings_);
   out.limits = settings_.limits;
   out.in_own_processes = settings_.in_own_processes;
+  out.is_vehicle = settings_.run.is_vehicle;
   out.ends = jobs_end_.get_token();
   return out;
 }

@@ -98,6 +98,7 @@ struct RobotProgram {
   std::shared_ptr<const ProgramOrigin> origin = nullptr;  ///< null: it is in an executable
   std::optional<ExecutableOrigin> executable = {};  ///< nothing: it is in none, or in one that is closed
   std::string host = {};  ///< machine whose agent may carry such robots, as the mission says; empty: any
+  bool is_of_vehicle = false;  ///< that host is a vehicle, which is its robot's body: it is computed here
 
   std::vector<PlaceParameter> places = {};  ///< what `place("Gate")` of a configuration became
   bool is_own = false;                      ///< of a network or configuration that the mission names
@@ -116,7 +117,9 @@ struct RobotProgram {
   /// It is in an executable that keeps its values to itself.
   bool is_closed() const { return native != nullptr || (recorded != nullptr && !recorded->is_open); }
   /// It can be built and computed on another machine.
-  bool can_be_elsewhere() const { return program != nullptr && (origin != nullptr || executable); }
+  bool can_be_elsewhere() const {
+    return !is_of_vehicle && program != nullptr && (origin != nullptr || executable);
+  }
   /// What a parameter or constant holds before the first cycle, in SI units; nothing where there is none of
   /// that path, or it is no number.
   std::optional<double> number(std::string_view path) const;
@@ -143,6 +146,7 @@ struct ProgramSources {
   /// these. Empty: there are none.
   std::function<std::shared_ptr<const RecordedProgram>(const std::string& name, std::string_view type)>
       recorded = {};
+  std::function<bool(const std::string& host)> is_vehicle = {};  ///< as run::RunSettings
 };
 
 /// Finds and builds the program of a robot type and sets its parameters.

@@ -154,6 +154,10 @@ void RunnerServer::open(const wire::Open& message) {
     refuse("a cycle of that length can't be kept in real time");
     return;
   }
+  if (terms_.is_a_vehicles) {
+    refuse("this is a vehicle, which carries no programs");
+    return;
+  }
   period_ = message.period();
   runners_ = std::make_unique<robot::ProgramRunners>(message.seed(), 1);
 }

@@ -28,6 +28,7 @@ struct AgentTerms {
   robot::ProgramSources sources;  ///< what of code that a run brings may be compiled and run, by what means
   std::string offered = {};       ///< path of the executable whose robots it carries, and no others; empty:
                                   ///< those that are built from what the run brings
+  bool is_a_vehicles = false;     ///< it carries no programs: who opens a conversation is refused
   /// An emergency stop holds: no robot drives, whatever its program says; by any thread. Empty: none ever
   /// does.
   std::function<bool()> is_stopped = {};

@@ -1,0 +1,171 @@
+#include "mlab/cli/fleet_member.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stop_token>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "mlab/cli/clock.h"
+#include "mlab/cli/fleet_network.h"
+#include "mlab/cli/interrupt.h"
+#include "mlab/cli/output.h"
+#include "mlab/cli/places.h"
+#include "mlab/keys/identity.h"
+
+namespace mlab::cli {
+namespace {
+
+// A line of the agent's log, at once.
+void print_line(const std::string& line) {
+  write_output_now(fmt::format("{}  {}\n", print(wall_clock()), line));
+}
+
+// One for each name in each fleet on this machine.
+std::string kept_file(const std::string& fleet, const std::string& name, const char* what) {
+  const std::string folder = state_folder();
+  return folder.empty() ? "" : fmt::format("{}/agents/{}@{}.{}", folder, fleet, name, what);
+}
+
+/// When an agent was there last, on the disk: an agent that did not end in order, because its machine had no
+/// power say, tells of it when it is back.
+class LastSeen {
+ public:
+  /// @param file  empty: it is not kept
+  explicit LastSeen(std::string file) : file_(std::move(file)) {}
+
+  void tell_gap(agents::AgentLog& log) const {
+    std::ifstream stream(file_);
+    std::int64_t last = 0;
+    if (file_.empty() || !(stream >> last)) return;
+    MissionClock then = wall_clock();
+    const double gap = then.epoch_seconds - static_cast<double>(last);
+    then.epoch_seconds = static_cast<double>(last);
+    log.add(
+        fmt::format("did not end in order: it was there last at about {}{} (noted every {:.0f} s). Runs of "
+                    "then have lost their robots here",
+                    print(then), gap > 0.0 ? fmt::format(", {:.0f} s ago", gap) : "", kApart));
+  }
+  void note() {
+    const double now = steady_seconds();
+    if (file_.empty() || (now < next_ && !is_wanted_.exchange(false))) return;
+    next_ = now + kApart;
+    std::error_code failure;
+    std::filesystem::create_directories(std::filesystem::path(file_).parent_path(), failure);
+    // Where that can't be written the agent does all the rest.
+    static_cast<void>(write_file(file_, fmt::format("{:.0f}\n", wall_clock().epoch_seconds)));
+  }
+  /// At the next `note`, from any thread.
+  void want_note() { is_wanted_ = true; }
+  void end() const {
+    std::error_code failure;
+    if (!file_.empty()) std::filesystem::remove(file_, failure);
+  }
+
+ private:
+  static constexpr double kApart = 10.0;  // [s]
+  std::string file_;
+  double next_ = 0.0;
+  std::atomic<bool> is_wanted_ = false;
+};
+
+// How others reach it, and who they may be.
+std::string reach_of(const NetworkOptions& network) {
+  if (network.interface_name.empty()) return "which nothing outside of this machine can reach";
+  return fmt::format("reachable over {}{}", network.interface_name,
+                     network.is_secure ? " by those who have a key of the fleet" : "");
+}
+
+void tell_ready(const agents::AgentSettings& settings, const NetworkOptions& network,
+                const MemberWords& words) {
+  const std::string what =
+      settings.offered.empty() ? "" : fmt::format(", which carries robots of {} only", settings.offered);
+  settings.log->add(fmt::format("{} `{}` of {}fleet `{}`{}, {}: {}", words.kind, settings.name,
+                                network.is_secure ? "the secured " : "", settings.network.fleet, what,
+                                reach_of(network), words.does));
+  if (!network.interface_name.empty() && !network.is_secure)
+    fmt::print(stderr, "{}: warning: whoever reaches this network {}\n", words.command, words.warning);
+}
+
+/// Ends what an agent does when it is interrupted, or when somebody was withdrawn from its fleet: who has
+/// joined knows only of those who were withdrawn before.
+class Watch {
+ public:
+  Watch(LastSeen& last_seen, keys::WithdrawalWatch& withdrawals)
+      : last_seen_(last_seen), withdrawals_(withdrawals), thread_([this](const std::stop_token& over) {
+          while (!over.stop_requested() && !is_over())
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+          stop_.request_stop();
+        }) {}
+
+  std::stop_token token() const { return stop_.get_token(); }
+  /// The name is this agent's.
+  void joined() { is_ready_ = true; }
+
+ private:
+  static constexpr double kApart = 1.0;  // [s]
+
+  bool is_over() {
+    if (is_ready_) last_seen_.note();
+    const double now = steady_seconds();
+    if (was_interrupted() || now < next_) return was_interrupted();
+    next_ = now + kApart;
+    return withdrawals_.has_changed();
+  }
+
+  LastSeen& last_seen_;
+  keys::WithdrawalWatch& withdrawals_;
+  std::stop_source stop_;
+  std::atomic<bool> is_ready_ = false;
+  double next_ = 0.0;
+  std::jthread thread_;
+};
+
+}  // namespace
+
+agents::AgentSettings member_settings(const NetworkOptions& network, const std::string& name) {
+  agents::AgentSettings out;
+  out.name = name.empty() ? agents::machine_name() : name;
+  out.stop_file = kept_file(fleet_of(network.fleet), out.name, "stop");
+  out.log = std::make_shared<agents::AgentLog>(print_line);
+  return out;
+}
+
+int take_part(agents::AgentSettings settings, const NetworkOptions& options, const MemberWords& words) {
+  note_interrupts();
+  LastSeen last_seen(kept_file(fleet_of(options.fleet), settings.name, "seen"));
+  keys::WithdrawalWatch withdrawals(identity_folder(options));
+  settings.tell_stop = [&] { last_seen.want_note(); };
+  for (bool is_first = true; !was_interrupted(); is_first = false) {
+    if (!is_first) settings.log->add("somebody was withdrawn from the fleet: joins it anew");
+    const auto network = network_of(options);
+    if (!network) {
+      fmt::print(stderr, "{}: {}\n", words.command, network.error());
+      return kBadInput;
+    }
+    settings.network = *network;
+    Watch watch(last_seen, withdrawals);
+    settings.tell_ready = [&] {
+      tell_ready(settings, options, words);
+      if (is_first) last_seen.tell_gap(*settings.log);
+      watch.joined();
+    };
+    if (const auto problem = agents::serve_as_agent(settings, watch.token())) {
+      fmt::print(stderr, "{}: {}\n", words.command, *problem);
+      return kBadInput;
+    }
+  }
+  settings.log->add("has left the fleet");
+  last_seen.end();
+  return kDone;
+}
+
+}  // namespace mlab::cli

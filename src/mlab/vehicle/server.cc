@@ -1,0 +1,100 @@
+#include "mlab/vehicle/server.h"
+
+#include <limits>
+#include <utility>
+
+#include "mlab/vehicle/steering.h"
+#include "mlab/vehicle/messages.h"
+
+namespace mlab::vehicle {
+namespace {
+
+constexpr double kPartingPatience = 5.0;  // in which it is told to stop once no run drives it any more [s]
+
+
+percept::Action action_of(const wire::VehicleCommand& command) {
+  percept::Action out;
+  out.drives = command.drives();
+  out.velocity = {command.velocity_x(), command.velocity_y(), 0.0};
+  out.spins = command.spins();
+  out.spin = command.spin();
+  return out;
+}
+
+}  // namespace
+
+Server::Server(Device& device, std::function<bool()> is_stopped)
+    : device_(device), is_stopped_(std::move(is_stopped)) {}
+
+void Server::hear(const std::string& sender, const std::string& body, Clock::time_point now) {
+  wire::VehicleCommand command;
+  if (!command.ParseFromString(body) || !is_sound(command)) return;
+  const bool is_free = session_ == 0 || seconds_between(heard_, now) > kSessionPatience;
+  const bool is_drivers = session_ == command.session() && driver_ == sender;
+  if (!is_free && !is_drivers) return;
+  if (!is_drivers) {
+    if (command.leaves()) return;
+    session_ = command.session();
+    driver_ = sender;
+    carried_out_ = 0;
+    newest_.Clear();
+  }
+  heard_ = now;
+  if (command.leaves()) {
+    session_ = 0;
+    return;
+  }
+  if (command.number() > newest_.number()) newest_ = std::move(command);
+}
+
+void Server::lose(const std::string& sender) {
+  if (session_ != 0 && driver_ == sender) session_ = 0;
+}
+
+double Server::age_of(std::uint64_t report, Clock::time_point now) const {
+  if (report == 0 || report > reported_ || reported_ - report >= kRemembered)
+    return std::numeric_limits<double>::infinity();
+  return seconds_between(told_at_[report % kRemembered], now);
+}
+
+void Server::stand(std::string why, Clock::time_point now) {
+  standing_ = std::move(why);
+  command_ = {};
+  device_.stop(now);
+}
+
+void Server::work(Clock::time_point now) {
+  device_.work(now);
+  if (session_ != 0 && seconds_between(heard_, now) > kSessionPatience) session_ = 0;
+  if (is_stopped_()) return stand("the emergency stop holds", now);
+  if (session_ != 0) driven_ = now;
+  if (session_ == 0) {
+    // Afterwards it is its own: somebody may drive it by other means.
+    if (driven_ && seconds_between(*driven_, now) <= kPartingPatience) stand("no run drives it", now);
+    return;
+  }
+  if (age_of(newest_.answers(), now) > kCommandPatience)
+    return stand("what its run tells it is too old", now);
+  // Nobody wants it to move: it is not made ready for that either.
+  if (!newest_.drives() && device_.report(now).readiness != Readiness::kReady)
+    return stand("its robot does not drive", now);
+  if (newest_.number() != carried_out_) {
+    command_ = command_for(device_.limits(), action_of(newest_), command_, newest_.period());
+    carried_out_ = newest_.number();
+  }
+  standing_.clear();
+  device_.drive(command_, now);
+}
+
+std::string Server::report(Clock::time_point now) {
+  message_.Clear();
+  encode(device_.report(now), now, message_);
+  message_.set_number(++reported_);
+  message_.set_held_by(session_);
+  message_.set_command(carried_out_);
+  message_.set_is_stopped(is_stopped_());
+  told_at_[reported_ % kRemembered] = now;
+  return message_.SerializeAsString();
+}
+
+}  // namespace mlab::vehicle

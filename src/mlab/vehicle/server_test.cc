@@ -1,0 +1,178 @@
+#include "mlab/vehicle/server.h"
+
+#include <chrono>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace mlab::vehicle {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// Does what it is told, at once.
+class Told final : public Device {
+ public:
+  Told() {
+    limits_.kinematics.drive = binding::Drive::kDifferential;
+    limits_.kinematics.max_speed = 2.0;
+    report_.readiness = Readiness::kReady;
+  }
+  const std::string& name() const override { return name_; }
+  const Limits& limits() const override { return limits_; }
+  void work(Clock::time_point /*now*/) override {}
+  const Report& report(Clock::time_point /*now*/) override { return report_; }
+  void drive(const Command& command, Clock::time_point /*now*/) override { command_ = command; }
+  void stop(Clock::time_point /*now*/) override { command_ = {}; }
+
+  Report report_;
+  Command command_;
+
+ private:
+  std::string name_ = "told";
+  Limits limits_;
+};
+
+class ServerTest : public testing::Test {
+ protected:
+  std::uint64_t report() {
+    wire::VehicleReport out;
+    EXPECT_TRUE(out.ParseFromString(server_.report(now_)));
+    held_by_ = out.held_by();
+    return out.number();
+  }
+  wire::VehicleCommand command(std::uint64_t answers, double speed = 1.0) {
+    wire::VehicleCommand out;
+    out.set_session(7);
+    out.set_number(++number_);
+    out.set_answers(answers);
+    out.set_drives(true);
+    out.set_velocity_x(speed);
+    out.set_period(0.1);
+    return out;
+  }
+  void hear(const wire::VehicleCommand& command, const std::string& sender = "run") {
+    server_.hear(sender, command.SerializeAsString(), now_);
+  }
+  double speed_after(milliseconds later) {
+    now_ += later;
+    server_.work(now_);
+    return device_.command_.speed;
+  }
+
+  Told device_;
+  bool is_stopped_ = false;
+  Server server_{device_, [this] { return is_stopped_; }};
+  Clock::time_point now_{std::chrono::seconds(100)};
+  std::uint64_t number_ = 0;
+  std::uint64_t held_by_ = 0;
+};
+
+TEST_F(ServerTest, DrivesByLiveCommandsAndStandsWhenTheyAreOver) {
+  EXPECT_EQ(speed_after(milliseconds(0)), 0.0);
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  EXPECT_EQ(speed_after(milliseconds(400)), 1.0);
+  EXPECT_EQ(speed_after(milliseconds(100)), 0.0) << "nothing has come for half a second";
+}
+
+TEST_F(ServerTest, CarriesNothingOutThatAnswersWhatIsLongPast) {
+  const std::uint64_t old = report();
+  now_ += milliseconds(600);
+  hear(command(old));
+  EXPECT_EQ(speed_after(milliseconds(1)), 0.0) << "it was on its way for too long";
+  hear(command(1'000'000));
+  EXPECT_EQ(speed_after(milliseconds(1)), 0.0) << "there was no such report";
+}
+
+TEST_F(ServerTest, TakesNoOlderCommandForANewerOne) {
+  const std::uint64_t answers = report();
+  const wire::VehicleCommand first = command(answers, 0.5);
+  const wire::VehicleCommand second = command(answers, 1.0);
+  hear(second);
+  hear(first);
+  EXPECT_EQ(speed_after(milliseconds(1)), 1.0);
+}
+
+TEST_F(ServerTest, StandsUnderTheEmergencyStopWhateverItIsTold) {
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(1)), 1.0);
+  is_stopped_ = true;
+  EXPECT_EQ(speed_after(milliseconds(1)), 0.0);
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(1)), 0.0);
+}
+
+TEST_F(ServerTest, IsDrivenByOneRunAtATime) {
+  hear(command(report()));
+  wire::VehicleCommand other = command(report(), 2.0);
+  other.set_session(8);
+  hear(other, "other");
+  EXPECT_EQ(speed_after(milliseconds(1)), 1.0);
+  report();
+  EXPECT_EQ(held_by_, 7U);
+  // Somebody else may not speak for it either.
+  wire::VehicleCommand forged = command(report(), 2.0);
+  hear(forged, "other");
+  EXPECT_EQ(speed_after(milliseconds(1)), 1.0);
+  // Who is silent has lost it.
+  now_ += milliseconds(2100);
+  other.set_answers(report());
+  hear(other, "other");
+  EXPECT_EQ(speed_after(milliseconds(1)), 2.0);
+}
+
+TEST_F(ServerTest, IsFreeAtOnceWhenItsRunLeaves) {
+  hear(command(report()));
+  wire::VehicleCommand leave = command(report());
+  leave.set_leaves(true);
+  hear(leave);
+  EXPECT_FALSE(server_.is_driven());
+  EXPECT_EQ(speed_after(milliseconds(1)), 0.0);
+  EXPECT_EQ(server_.standing(), "no run drives it");
+}
+
+TEST_F(ServerTest, LeavesAVehicleAloneThatNoRunDrives) {
+  device_.command_ = {0.7, 0.0};  // by somebody else
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.7);
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  EXPECT_EQ(speed_after(milliseconds(3000)), 0.0) << "its run is silent";
+  device_.command_ = {0.7, 0.0};
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.0) << "it is seen to that it stands";
+  now_ += milliseconds(5000);
+  device_.command_ = {0.7, 0.0};
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.7);
+  is_stopped_ = true;
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.0);
+}
+
+TEST_F(ServerTest, IsFreeWhenItsRunIsGone) {
+  hear(command(report()));
+  server_.lose("another");
+  EXPECT_TRUE(server_.is_driven());
+  server_.lose("run");
+  EXPECT_EQ(speed_after(milliseconds(1)), 0.0);
+}
+
+TEST_F(ServerTest, IsNotMadeReadyByARobotThatStands) {
+  device_.report_.readiness = Readiness::kNotReady;
+  device_.command_ = {9.0, 0.0};  // whatever was before
+  wire::VehicleCommand stands = command(report());
+  stands.set_drives(false);
+  hear(stands);
+  EXPECT_EQ(speed_after(milliseconds(1)), 0.0);
+  EXPECT_EQ(server_.standing(), "its robot does not drive");
+}
+
+TEST_F(ServerTest, ReadsNothingOutOfNonsense) {
+  server_.hear("run", "no message", now_);
+  wire::VehicleCommand command = this->command(report());
+  command.set_velocity_x(std::numeric_limits<double>::quiet_NaN());
+  hear(command);
+  EXPECT_FALSE(server_.is_driven());
+}
+
+}  // namespace
+}  // namespace mlab::vehicle

@@ -1,0 +1,64 @@
+#include "mlab/vehicles/vehicle_line.h"
+
+#include <optional>
+#include <utility>
+
+#include "mlab/dds/reader.h"
+#include "mlab/dds/waiter.h"
+#include "mlab/dds/writer.h"
+
+namespace mlab::vehicles {
+namespace {
+
+class DdsLine final : public vehicle::Line {
+ public:
+  DdsLine(std::shared_ptr<agents::Roster> roster, dds::Waiter waiter, dds::Reader reports,
+          dds::Writer commands, std::string name)
+      : roster_(std::move(roster)),
+        waiter_(std::move(waiter)),
+        reports_(std::move(reports)),
+        commands_(std::move(commands)),
+        name_(std::move(name)) {}
+
+  std::optional<std::string> hear() override {
+    std::optional<std::string> out;
+    for (dds::Arrival& one : reports_.take()) {
+      if (one.kind == dds::Arrival::Kind::kMessage && one.key == name_) out = std::move(one.body);
+    }
+    return out;
+  }
+  void tell(const wire::VehicleCommand& command) override {
+    // One that nobody takes is followed by the next.
+    static_cast<void>(commands_.write(name_, command.SerializeAsString()));
+  }
+
+ private:
+  std::shared_ptr<agents::Roster> roster_;  // keeps the participant
+  dds::Waiter waiter_;
+  dds::Reader reports_;
+  dds::Writer commands_;
+  std::string name_;
+};
+
+}  // namespace
+
+std::expected<std::unique_ptr<vehicle::Line>, std::string> open_line(
+    const std::shared_ptr<agents::Roster>& roster, const std::string& name,
+    std::chrono::milliseconds patience) {
+  auto waiter = dds::Waiter::make();
+  if (!waiter) return std::unexpected(waiter.error());
+  auto reports =
+      roster->participant().reader(reports_topic(name), dds::ChannelKind::kLivePercepts, *waiter);
+  if (!reports) return std::unexpected(reports.error());
+  auto commands = roster->participant().writer(commands_topic(name), dds::ChannelKind::kLivePercepts);
+  if (!commands) return std::unexpected(commands.error());
+  // What arrives is kept for `hear`. Waits end with other news, too.
+  const auto last = std::chrono::steady_clock::now() + patience;
+  while (reports->senders().empty() && std::chrono::steady_clock::now() < last)
+    waiter->wait(std::chrono::milliseconds(20));
+  waiter->wait(patience);
+  return std::make_unique<DdsLine>(roster, std::move(*waiter), std::move(*reports), std::move(*commands),
+                                   name);
+}
+
+}  // namespace mlab::vehicles

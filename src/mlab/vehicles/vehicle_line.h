@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <expected>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "mlab/agents/roster.h"
+#include "mlab/vehicle/line.h"
+
+namespace mlab::vehicles {
+
+inline std::string reports_topic(std::string_view vehicle) {
+  return "vehicles/" + std::string(vehicle) + "/reports";
+}
+inline std::string commands_topic(std::string_view vehicle) {
+  return "vehicles/" + std::string(vehicle) + "/commands";
+}
+
+/// Over DDS, to the member of a fleet that is a vehicle of that name.
+/// @param patience  so long it is waited for to be heard
+/// @errors  a sentence
+std::expected<std::unique_ptr<vehicle::Line>, std::string> open_line(
+    const std::shared_ptr<agents::Roster>& roster, const std::string& name,
+    std::chrono::milliseconds patience);
+
+}  // namespace mlab::vehicles
