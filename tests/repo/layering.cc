@@ -35,6 +35,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"mission", {"overlay", "percept"}},
     {"binding", {"percept", "overlay"}},
     {"vehicle", {"binding", "text"}},
+    {"mavlink", {"vehicle", "text"}},
     {"sim", {"binding"}},
     {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},
