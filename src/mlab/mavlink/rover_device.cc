@@ -86,15 +86,10 @@ RoverDevice::~RoverDevice() {
 
 void RoverDevice::work(Time now) {
   now_ = now;
+  // Before anything is read: who has been silent, and speaks again just now, has been silent all the same.
+  if (is_silent(now) && !std::exchange(was_silent_, true)) lose(now);
   read(now);
   const bool is_silent_now = is_silent(now);
-  if (is_silent_now && !std::exchange(was_silent_, is_silent_now)) {
-    notice(now, 4, "has been silent for " + fmt::format("{:.1f} s", seconds(kSilentAfter)));
-    control_.let_go(now);
-    parameters_.begin_anew();
-    streams_seen_.assign(kStreams.size(), std::nullopt);
-    streams_asked_.assign(kStreams.size(), std::nullopt);
-  }
   was_silent_ = is_silent_now;
   if (!line_.stream().is_open() || !is_silent_now || !peer_since_) peer_since_ = now;
   if (now - *peer_since_ > kGivenUpAfter) {
@@ -109,6 +104,14 @@ void RoverDevice::work(Time now) {
   const auto motion = is_silent_now ? std::nullopt : readings_.motion(now);
   const bool may_drive = !is_silent_now && trouble(now).readiness == Readiness::kReady;
   control_.work(*heard_, may_drive, motion ? &*motion : nullptr, line_, now);
+}
+
+void RoverDevice::lose(Time now) {
+  notice(now, 4, fmt::format("has been silent for {:.1f} s", seconds(kSilentAfter)));
+  control_.let_go(now);
+  parameters_.begin_anew();
+  streams_seen_.assign(kStreams.size(), std::nullopt);
+  streams_asked_.assign(kStreams.size(), std::nullopt);
 }
 
 void RoverDevice::read(Time now) {

@@ -84,6 +84,7 @@ class RoverDevice final : public vehicle::Device {
   void say(Time now);
   void ask(Time now);
   void begin_anew(Time now);
+  void lose(Time now);
   void notice(Time now, std::uint8_t severity, std::string text);
   bool is_silent(Time now) const;
   /// What is against driving it, apart from its mode and that it is not armed; nothing: `kReady`.

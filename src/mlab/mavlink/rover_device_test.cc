@@ -239,6 +239,21 @@ TEST(RoverDevice, IsSilentAfterTwoAndAHalfSecondsAndStandsWhenItComesBack) {
   EXPECT_NEAR(pair.rover.speed, 1.0, 1e-6);
 }
 
+TEST(RoverDevice, StandsAlsoWhenItComesBackJustWhenItsSilenceIsNoticed) {
+  Pair pair(quick());
+  pair.rover.parameters["FS_TIMEOUT"] = 5;
+  pair.pass(2.0);
+  pair.drive(2.0, {1.0, 0.0});
+  pair.link.is_cut = true;
+  pair.drive(2.5, {1.0, 0.0});
+  pair.now += std::chrono::milliseconds(100);
+  EXPECT_EQ(pair.report().readiness, Readiness::kSilent);
+  pair.link.is_cut = false;
+  pair.pass(0.5);
+  EXPECT_EQ(pair.rover.mode, Mode::kGuided);
+  EXPECT_EQ(pair.rover.speed, 0.0);
+}
+
 TEST(RoverDevice, SaysThatItsFailsafeActs) {
   Pair pair(quick());
   pair.pass(2.0);
