@@ -13,7 +13,7 @@ namespace {
 using testing::Pair;
 using vehicle::Readiness;
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 RoverSettings quick() {
   RoverSettings out;
@@ -62,12 +62,12 @@ TEST(RoverDevice, ArmsInGuidedModeAndDrivesInOurFrame) {
   vehicle::Motion motion = *pair.report().motion;
   EXPECT_NEAR(motion.pose.position.x, 7.0, 1e-5);
   EXPECT_NEAR(motion.pose.position.y, 7.0, 0.3);
-  EXPECT_NEAR(motion.pose.heading, kPi / 2.0, 1e-5);
+  EXPECT_NEAR(motion.pose.heading, kHalfTurn / 2.0, 1e-5);
   EXPECT_NEAR(motion.speed, 1.0, 1e-5);
   // To the left: it looks west in the end, and x shrinks.
   pair.drive(3.0, {0.0, 0.5});
   EXPECT_NEAR(pair.report().motion->turn_rate, 0.5, 1e-5);
-  EXPECT_NEAR(pair.report().motion->pose.heading, kPi / 2.0 + 1.5, 0.2);
+  EXPECT_NEAR(pair.report().motion->pose.heading, kHalfTurn / 2.0 + 1.5, 0.2);
   pair.drive(1.0, {-0.5, 0.0});
   EXPECT_NEAR(pair.report().motion->speed, -0.5, 1e-5);
   EXPECT_FALSE(pair.report().is_global);
