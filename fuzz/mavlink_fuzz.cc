@@ -46,7 +46,8 @@ class Script final : public vehicle::Stream {
     if (!frame) fail("what it sends is no frame");
     if (!frame->is<mavlink::SetPositionTargetLocalNed>()) return true;
     const auto message = frame->as<mavlink::SetPositionTargetLocalNed>();
-    if (!(std::abs(message.vx) <= 1.0F) || !(std::abs(message.yaw_rate) <= 0.5F)) fail("it is told to be too fast");
+    if (!(std::abs(message.vx) <= 1.0F) || !(std::abs(message.yaw_rate) <= 0.5F))
+      fail("it is told to be too fast");
     return true;
   }
   void begin_anew(Time /*now*/) override { ++openings_; }
@@ -84,11 +85,13 @@ void look_at(const vehicle::Report& report, Time now) {
       fail("it moves by no number");
     if (is.at > now) fail("it knows the future");
   }
-  if (report.battery && !(report.battery->share >= 0.0 && report.battery->share <= 1.0)) fail("more than all");
+  if (report.battery && !(report.battery->share >= 0.0 && report.battery->share <= 1.0))
+    fail("more than all");
   if (report.scans.size() > 9) fail("too many scans");
   for (const vehicle::Scan& one : report.scans) {
     if (one.distances.empty() || one.distances.size() > 72 || one.at > now) fail("it is no scan");
-    if (!std::isfinite(one.first_angle + one.step + one.beam_width + one.mount.heading)) fail("a scan of nowhere");
+    if (!std::isfinite(one.first_angle + one.step + one.beam_width + one.mount.heading))
+      fail("a scan of nowhere");
     for (const float distance : one.distances) {
       if (distance < 0.0F || (std::isfinite(distance) && distance > 656.0F)) fail("a distance that can't be");
     }

@@ -1,9 +1,13 @@
 #include "mlab/mavlink/parameters.h"
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "mlab/base/testing/source_folder.h"
 
 namespace mlab::mavlink {
 namespace {
@@ -104,6 +108,18 @@ TEST(Parameters, AreWrittenOnceASecondWhereTheyAreWrong) {
   EXPECT_EQ(write->value, 5.0);
   EXPECT_FALSE(parameters.to_write(kStart + milliseconds(900)));
   EXPECT_TRUE(parameters.to_write(kStart + milliseconds(1100)));
+}
+
+TEST(Parameters, StandInTheDocumentationAsTheyAre) {
+  std::ifstream file(std::filesystem::path(base::source_folder()) / "docs/mavlink.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  for (const ParameterCheck& one : Parameters(255, 2.0).checks()) {
+    const std::size_t row = page.find("| `" + one.name + "`");
+    ASSERT_NE(row, std::string::npos) << one.name;
+    const std::string text = page.substr(row, page.find('\n', row) - row);
+    const std::string range = one.wanted + (one.is_needed ? " | needed |" : " | advice |");
+    EXPECT_NE(text.find("| " + range), std::string::npos) << text << " has to say " << range;
+  }
 }
 
 TEST(Parameters, AreUnknownAfterItHasBegunAnew) {
