@@ -7,7 +7,8 @@
 namespace mlab::mavlink {
 
 /// Puts times of a vehicle, milliseconds since it began, onto our clock: what came fastest was not delayed,
-/// and what comes later is that much older.
+/// and what comes later is that much older. What came fastest counts for five to ten seconds: clocks part,
+/// and a vehicle that begins again soon after it began shows it by nothing else.
 class BootClock {
  public:
   enum class Verdict : std::uint8_t {
@@ -18,7 +19,7 @@ class BootClock {
 
   /// @param kind  of message: times of each kind grow by themselves
   Verdict hear(std::uint32_t kind, std::uint32_t boot_ms, vehicle::Clock::time_point now);
-  /// Of something that was heard, never later than now.
+  /// When it was so, never later than now; now, where nothing was heard yet.
   vehicle::Clock::time_point time_of(std::uint32_t boot_ms, vehicle::Clock::time_point now) const;
   void begin_anew() { *this = {}; }
 
@@ -28,8 +29,10 @@ class BootClock {
   std::uint32_t newest_ = 0;
   std::uint32_t last_[kKinds] = {};
   bool has_last_[kKinds] = {};
-  vehicle::Clock::time_point began_;  // when it began, by what came fastest
-  vehicle::Clock::time_point heard_at_;
+  // When it began, by what came fastest: in this span of five seconds, and in the one before it.
+  vehicle::Clock::time_point began_;
+  vehicle::Clock::time_point began_before_;
+  vehicle::Clock::time_point span_from_;
 };
 
 }  // namespace mlab::mavlink

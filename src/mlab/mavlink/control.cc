@@ -25,8 +25,8 @@ bool is_pilots_now(const Heard& heard) {
   return heard.is_armed && is_pilots(heard.mode);
 }
 
-bool moves(const vehicle::Motion& motion) {
-  return std::abs(motion.speed) > kStandsBelow || std::abs(motion.turn_rate) > kStandsBelow;
+bool moves(const vehicle::Motion& motion, double from) {
+  return std::abs(motion.speed) > from || std::abs(motion.turn_rate) > from;
 }
 
 std::string_view word_of(std::uint8_t result) {
@@ -77,7 +77,6 @@ void Control::let_go(Time now) {
   if (is_engaged_) stand_until_ = now + kStandAfterSilence;
   is_engaged_ = false;
   if (wish_ == Wish::kDrive) wish_ = Wish::kNone;
-  if (wish_ == Wish::kStop) has_stopped_ = false;
   taken_.clear();
   refusal_.clear();
 }
@@ -171,7 +170,7 @@ void Control::work_drive(const Heard& heard, Line& line, Time now) {
 
 void Control::work_stop(const Heard& heard, const vehicle::Motion* motion, Line& line, Time now) {
   if (has_stopped_ || is_pilots_now(heard)) return;
-  const bool is_moving = motion != nullptr && moves(*motion);
+  const bool is_moving = motion != nullptr && moves(*motion, kStandsBelow);
   const bool is_held = heard.mode == Mode::kHold || !heard.is_armed;
   // A heartbeat from before says nothing of what came after.
   const bool is_seen = heard.at > stopping_since_;
@@ -182,7 +181,8 @@ void Control::work_stop(const Heard& heard, const vehicle::Motion* motion, Line&
   send_set_point({}, heard, line, now);
   ask(hold_, heard, line, now);
   held_at_ = now;
-  if (is_moving && heard.is_armed && now - stopping_since_ >= kHardStopAfter) ask(disarm_, heard, line, now);
+  const bool runs_away = motion != nullptr && moves(*motion, kRunsAwayFrom);
+  if (runs_away && heard.is_armed && now - stopping_since_ >= kHardStopAfter) ask(disarm_, heard, line, now);
 }
 
 void Control::leave(const Heard& heard, Line& line, Time now) {

@@ -15,6 +15,8 @@ namespace mlab::mavlink {
 inline constexpr std::chrono::milliseconds kHardStopAfter{2000};
 /// Slower than this it stands [m/s, rad/s].
 inline constexpr double kStandsBelow = 0.1;
+/// What filters make of standing still is slower than this: it is not disarmed for less [m/s, rad/s].
+inline constexpr double kRunsAwayFrom = 0.3;
 
 /// What a rover's heartbeats say.
 struct Heard {

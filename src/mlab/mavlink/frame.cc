@@ -82,8 +82,10 @@ FrameReader::Step FrameReader::step(SigningTime now, Frame& out) {
   if (!extra) {
     // A message of others ends where another one begins, or where nothing has come yet.
     const bool is_frame = rest.size() == whole || rest[whole] == kMagic || rest[whole] == kMagic1;
-    if (is_frame) ++refusals_.unknown;
-    return skip(is_frame ? whole : 1);
+    if (!is_frame) return skip(1);
+    ++refusals_.unknown;
+    at_ += whole;
+    return Step::kSkipped;
   }
   if (!has_checksum(rest.first(size), *extra)) {
     ++refusals_.wrong_checksums;

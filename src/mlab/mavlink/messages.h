@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 
 namespace mlab::mavlink {
 
@@ -202,15 +203,17 @@ using Messages =
                GlobalPositionInt, CommandLong, CommandAck, SetPositionTargetLocalNed, DistanceSensor,
                BatteryStatus, StatusText, ObstacleDistance>;
 
+/// What tells each of them apart.
+inline constexpr auto kInfos = []<class... One>(std::type_identity<std::tuple<One...>>) {
+  return std::array{One::kInfo...};
+}(std::type_identity<Messages>{});
+
 /// CRC_EXTRA of a message of ours; nothing: it is none.
 constexpr std::optional<std::uint8_t> extra_of(std::uint32_t id) {
-  std::optional<std::uint8_t> out;
-  std::apply(
-      [&](const auto&... one) {
-        ((one.kInfo.id == id ? static_cast<void>(out = one.kInfo.extra) : static_cast<void>(0)), ...);
-      },
-      Messages{});
-  return out;
+  for (const MessageInfo& one : kInfos) {
+    if (one.id == id) return one.extra;
+  }
+  return std::nullopt;
 }
 
 /// A name in a field of fixed length, cut to it.

@@ -126,7 +126,8 @@ void Readings::take(const DistanceSensor& message, Time now) {
   scan.farthest = message.max_distance * kCentimetre;
   const float distance = distance_of(message.current_distance, message.min_distance, message.max_distance);
   scan.distances = {message.signal_quality == 1 ? kUnknown : distance};
-  scan.at = now;
+  // Some sensors have no clock.
+  scan.at = message.time_boot_ms == 0 ? now : clock_.time_of(message.time_boot_ms, now);
   keep(std::move(scan));
 }
 
@@ -161,7 +162,10 @@ void Readings::take(const ObstacleDistance& message, Time now) {
   // From north instead of from its nose.
   if (is_turned) first += kPi / 2.0 - turning_->heading;
   scan.first_angle = base::wrap_angle(first);
-  scan.at = now;
+  // Since it began, or since 1970, by a clock that nobody here knows.
+  const std::uint64_t ms = message.time_usec / 1000;
+  const bool is_of_boot = ms > 0 && ms <= std::numeric_limits<std::uint32_t>::max();
+  scan.at = is_of_boot ? clock_.time_of(static_cast<std::uint32_t>(ms), now) : now;
   keep(std::move(scan));
 }
 

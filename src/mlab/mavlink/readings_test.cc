@@ -122,6 +122,20 @@ TEST(Readings, KnowHowMuchLaterThanOthersSomethingCame) {
   EXPECT_LE(readings.motion(at(700))->at, at(700));
 }
 
+TEST(Readings, ForgetAfterTenSecondsWhatCameFaster) {
+  Readings readings({}, 2.0);
+  const auto is_known_at = [&](int ms, int boot_ms) {
+    readings.take(attitude(static_cast<std::uint32_t>(boot_ms), 0), at(ms));
+    readings.take(position(static_cast<std::uint32_t>(boot_ms), 0, 0), at(ms));
+    return readings.motion(at(ms)).has_value();
+  };
+  EXPECT_TRUE(is_known_at(0, 3000));
+  // It began again unseen, and counts from three seconds less.
+  EXPECT_FALSE(is_known_at(4000, 4000));
+  EXPECT_FALSE(is_known_at(9000, 9000));
+  EXPECT_TRUE(is_known_at(14'100, 14'100));
+}
+
 TEST(Readings, TellAJumpThatNoSpeedExplains) {
   Readings readings({}, 2.0);
   readings.take(position(0, 0, 0), at(0));
@@ -184,6 +198,20 @@ TEST(Readings, ReadSensorsOfDistanceByWhereTheyLook) {
   EXPECT_NEAR(scans[2].mount.heading, kPi / 4, 1e-9) << "half left";
   EXPECT_TRUE(std::isinf(scans[2].distances[0]));
   EXPECT_TRUE(scans_of(readings, 1001).empty());
+}
+
+TEST(Readings, TakeScansForAsOldAsTheyAre) {
+  Readings readings({}, 2.0);
+  DistanceSensor message;
+  message.time_boot_ms = 5000;
+  message.min_distance = 20;
+  message.max_distance = 500;
+  readings.take(message, at(0));
+  EXPECT_EQ(scans_of(readings).size(), 1U) << "its clock is not known yet";
+  readings.take(attitude(6000, 0), at(0));
+  readings.take(message, at(0));
+  EXPECT_EQ(scans_of(readings, 0).size(), 1U);
+  EXPECT_EQ(scans_of(readings, 1).size(), 0U) << "it is a second old";
 }
 
 TEST(Readings, ReadDistancesAllRoundCounterClockwise) {

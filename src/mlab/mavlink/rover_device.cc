@@ -136,7 +136,7 @@ void RoverDevice::take(const Frame& frame, Time now) {
   if (frame.is<DistanceSensor>()) readings_.take(frame.as<DistanceSensor>(), now);
   if (frame.is<ObstacleDistance>()) readings_.take(frame.as<ObstacleDistance>(), now);
   if (frame.is<ParamValue>()) parameters_.take(frame.as<ParamValue>(), now);
-  if (frame.is<CommandAck>()) control_.take(frame.as<CommandAck>(), now);
+  if (frame.is<CommandAck>()) take_answer(frame.as<CommandAck>(), now);
   if (frame.is<StatusText>()) take_text(frame.as<StatusText>(), now);
   if (frame.is<SysStatus>()) {
     const auto message = frame.as<SysStatus>();
@@ -160,6 +160,11 @@ void RoverDevice::take_heartbeat(const Frame& frame, Time now) {
   }
   heard_ = Heard{frame.system, static_cast<Mode>(message.custom_mode), (message.base_mode & kArmedBit) != 0,
                  static_cast<State>(message.system_status), now};
+}
+
+void RoverDevice::take_answer(const CommandAck& message, Time now) {
+  // Others ask, too.
+  if (message.target_system == 0 || message.target_system == settings_.self) control_.take(message, now);
 }
 
 void RoverDevice::take_text(const StatusText& message, Time now) {

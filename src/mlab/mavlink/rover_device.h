@@ -80,6 +80,7 @@ class RoverDevice final : public vehicle::Device {
   void read(Time now);
   void take(const Frame& frame, Time now);
   void take_heartbeat(const Frame& frame, Time now);
+  void take_answer(const CommandAck& message, Time now);
   void take_text(const StatusText& message, Time now);
   void say(Time now);
   void ask(Time now);
