@@ -132,7 +132,8 @@ void Readings::take(const DistanceSensor& message, Time now) {
 }
 
 void Readings::take(const ObstacleDistance& message, Time now) {
-  const double step_deg = message.increment_f != 0.0F ? message.increment_f : message.increment;
+  const double step_deg = message.increment_f != 0.0F ? static_cast<double>(message.increment_f)
+                                                      : static_cast<double>(message.increment);
   const bool is_turned = message.frame == kFrameGlobal;
   const bool is_known =
       message.frame == kFrameBodyFrd || (is_turned && turning_ && now - turning_->at < kMotionLasts);

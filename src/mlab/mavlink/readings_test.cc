@@ -228,7 +228,9 @@ TEST(Readings, ReadDistancesAllRoundCounterClockwise) {
   readings.take(message, at(0));
   const vehicle::Scan scan = scans_of(readings).at(0);
   ASSERT_EQ(scan.distances.size(), 36U) << "more would be round and round";
-  const auto angle = [&](std::size_t i) { return std::remainder(scan.first_angle + scan.step * i, 2 * kPi); };
+  const auto angle = [&](std::size_t i) {
+    return std::remainder(scan.first_angle + scan.step * static_cast<double>(i), 2 * kPi);
+  };
   EXPECT_GT(scan.step, 0.0);
   EXPECT_FLOAT_EQ(scan.distances[35], 1.0F);
   EXPECT_NEAR(angle(35), 5.0 * kPi / 180, 1e-6);

@@ -13,7 +13,7 @@ namespace {
 
 // From 1970 to 2015 [s].
 constexpr std::uint64_t kSecondsBefore = 1'420'070'400;
-constexpr SigningTime kMinute = 60 * 100'000;
+constexpr SigningTime kMinute = 6'000'000;
 constexpr SigningTime kTimeBits = (SigningTime{1} << 48) - 1;
 
 using Digest = std::array<std::byte, 32>;

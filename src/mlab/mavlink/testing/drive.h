@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <functional>
+#include <memory>
 
 #include "mlab/mavlink/rover_device.h"
 #include "mlab/mavlink/testing/toy_rover.h"
@@ -21,7 +24,7 @@ struct Pair {
   /// Goes on for a while, in steps of 50 ms.
   /// @param each  is done in each step, if it is given
   void pass(double seconds, const std::function<void()>& each = {}) {
-    for (int i = 0; i < static_cast<int>(seconds * 20.0 + 0.5); ++i) {
+    for (std::int64_t i = 0; i < std::llround(seconds * 20.0); ++i) {
       now += std::chrono::milliseconds(50);
       rover.work(now);
       device->work(now);
