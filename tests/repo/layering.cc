@@ -37,6 +37,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"vehicle", {"binding", "text"}},
     {"vehicle/simulated", {"vehicle", "sim"}},
     {"vehicles", {"agents", "vehicle"}},
+    {"mavlink", {"vehicle", "text"}},
     {"sim", {"binding"}},
     {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},

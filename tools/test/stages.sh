@@ -78,6 +78,7 @@ stage_e2e() {
   install_peers tests/exports "$build/test/scxml" ||
     echo "npm could not install the SCXML interpreter (offline?); its test is skipped"
   install_peers tests/mcap "$build/test/mcap_peers" || echo "npm could not install readers of MCAP (offline?); their tests are skipped"
+  install_peers tests/vehicles "$build/test/vehicle_peers" || echo "npm could not install vehicles (offline?); their tests are skipped"
   run_ctest "$build/test" -L e2e
 }
 

@@ -1,0 +1,204 @@
+#include "mlab/mavlink/control.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mlab::mavlink {
+namespace {
+
+using std::chrono::milliseconds;
+
+// `work` comes every 50 ms: ten set-points a second and some more.
+constexpr milliseconds kBetweenSetPoints{80};
+constexpr milliseconds kBetweenRequests{400};
+constexpr milliseconds kBetweenStops{200};
+constexpr milliseconds kAfterRefusal{2000};
+// So long after HOLD was sent, what shows it may be that, and nobody else's doing.
+constexpr milliseconds kHoldIsOurs{4000};
+// A `stop` after such a pause is a new one.
+constexpr milliseconds kSameStop{1000};
+// After a silence set-points say so long that it is to stand.
+constexpr milliseconds kStandAfterSilence{1000};
+
+bool is_pilots_now(const Heard& heard) {
+  return heard.is_armed && is_pilots(heard.mode);
+}
+
+bool moves(const vehicle::Motion& motion, double from) {
+  return std::abs(motion.speed) > from || std::abs(motion.turn_rate) > from;
+}
+
+std::string_view word_of(std::uint8_t result) {
+  switch (static_cast<Result>(result)) {
+    case Result::kTemporarilyRejected:
+      return "not now";
+    case Result::kDenied:
+      return "denied";
+    case Result::kUnsupported:
+      return "it does not know that command";
+    default:
+      return "it failed";
+  }
+}
+
+}  // namespace
+
+void Control::drive(const vehicle::Command& command, Time now) {
+  if (wish_ != Wish::kDrive) {
+    refusal_.clear();
+    guided_.sent = arm_.sent = 0;
+    guided_.not_before.reset();
+    arm_.not_before.reset();
+  }
+  wish_ = Wish::kDrive;
+  command_ = command;
+  commanded_at_ = now;
+  stand_until_.reset();
+}
+
+void Control::stop(Time now) {
+  const bool is_new = wish_ != Wish::kStop || now - stop_asked_at_ > kSameStop;
+  stop_asked_at_ = now;
+  if (!is_new) return;
+  wish_ = Wish::kStop;
+  stopping_since_ = now;
+  has_stopped_ = false;
+  is_engaged_ = false;
+  taken_.clear();
+  refusal_.clear();
+  hold_.sent = disarm_.sent = 0;
+  hold_.not_before.reset();
+  disarm_.not_before.reset();
+}
+
+void Control::let_go(Time now) {
+  // What it was told last may still be on its way.
+  if (is_engaged_) stand_until_ = now + kStandAfterSilence;
+  is_engaged_ = false;
+  if (wish_ == Wish::kDrive) wish_ = Wish::kNone;
+  taken_.clear();
+  refusal_.clear();
+}
+
+void Control::take(const CommandAck& message, Time now) {
+  for (Request* const one : {&guided_, &hold_, &arm_, &disarm_}) {
+    if (one->command != message.command || one->sent == 0) continue;
+    const auto result = static_cast<Result>(message.result);
+    if (result == Result::kAccepted || result == Result::kInProgress) continue;
+    // Of two that are the same command, only the one that is being asked has something to be refused.
+    const bool is_of_driving = one == &guided_ || one == &arm_;
+    if (is_of_driving != (wish_ == Wish::kDrive)) continue;
+    if (is_of_driving) {
+      refusal_ = fmt::format("refuses {}: {}", one == &arm_ ? "to be armed" : "mode GUIDED",
+                             word_of(message.result));
+      one->not_before = now + kAfterRefusal;
+    }
+  }
+}
+
+void Control::ask(Request& request, const Heard& heard, Line& line, Time now) {
+  if (request.not_before && now < *request.not_before) return;
+  const bool is_stop = &request == &hold_ || &request == &disarm_;
+  request.not_before = now + (is_stop ? kBetweenStops : kBetweenRequests);
+  CommandLong message;
+  message.command = request.command;
+  message.params[0] = request.first;
+  message.params[1] = request.second;
+  message.confirmation = request.sent;
+  if (request.sent < 255) ++request.sent;
+  line.send_to(heard.system, message, now);
+}
+
+void Control::send_set_point(const vehicle::Command& command, const Heard& heard, Line& line, Time now) {
+  if (set_point_at_ && now - *set_point_at_ < kBetweenSetPoints) return;
+  set_point_at_ = now;
+  SetPositionTargetLocalNed message;
+  message.time_boot_ms =
+      static_cast<std::uint32_t>(std::chrono::duration_cast<milliseconds>(now.time_since_epoch()).count());
+  message.vx = static_cast<float>(command.speed);
+  // Theirs is clockwise.
+  message.yaw_rate = static_cast<float>(-command.turn_rate);
+  message.type_mask = kVelocityAndTurnRate;
+  message.coordinate_frame = kFrameBodyNed;
+  line.send_to(heard.system, message, now);
+}
+
+void Control::notice_taking(const Heard& heard, Time now) {
+  if (!is_engaged_ || (heard.mode == Mode::kGuided && heard.is_armed)) return;
+  is_engaged_ = false;
+  const bool is_ours = heard.mode == Mode::kHold && held_at_ && now - *held_at_ < kHoldIsOurs;
+  if (is_ours) return;
+  if (!heard.is_armed)
+    taken_ = "was disarmed by itself or by somebody else; stop, then drive, to arm it again";
+  else
+    taken_ =
+        fmt::format("was put into mode {} by itself or by somebody else; stop, then drive, to take it back",
+                    name_of(heard.mode));
+}
+
+void Control::work(const Heard& heard, bool may_drive, const vehicle::Motion* motion, Line& line, Time now) {
+  notice_taking(heard, now);
+  if (stand_until_ && now < *stand_until_ && heard.mode == Mode::kGuided && heard.is_armed)
+    send_set_point({}, heard, line, now);
+  if (wish_ == Wish::kStop) {
+    work_stop(heard, motion, line, now);
+  } else if (wish_ == Wish::kDrive && taken_by(heard).empty()) {
+    if (may_drive)
+      work_drive(heard, line, now);
+    else if (is_engaged_)
+      send_set_point({}, heard, line, now);
+  }
+}
+
+void Control::work_drive(const Heard& heard, Line& line, Time now) {
+  const bool is_fresh = now - commanded_at_ <= command_lasts_;
+  if (is_engaged_) {
+    send_set_point(is_fresh ? command_ : vehicle::Command{}, heard, line, now);
+  } else if (!is_fresh) {
+    // Nobody asks any more.
+  } else if (heard.mode != Mode::kGuided) {
+    ask(guided_, heard, line, now);
+  } else if (!heard.is_armed) {
+    ask(arm_, heard, line, now);
+  } else {
+    is_engaged_ = true;
+    refusal_.clear();
+    send_set_point(command_, heard, line, now);
+  }
+}
+
+void Control::work_stop(const Heard& heard, const vehicle::Motion* motion, Line& line, Time now) {
+  if (has_stopped_ || is_pilots_now(heard)) return;
+  const bool is_moving = motion != nullptr && moves(*motion, kStandsBelow);
+  const bool is_held = heard.mode == Mode::kHold || !heard.is_armed;
+  // A heartbeat from before says nothing of what came after.
+  const bool is_seen = heard.at > stopping_since_;
+  if (is_seen && is_held && !is_moving) {
+    has_stopped_ = true;
+    return;
+  }
+  send_set_point({}, heard, line, now);
+  ask(hold_, heard, line, now);
+  held_at_ = now;
+  const bool runs_away = motion != nullptr && moves(*motion, kRunsAwayFrom);
+  if (runs_away && heard.is_armed && now - stopping_since_ >= kHardStopAfter) ask(disarm_, heard, line, now);
+}
+
+void Control::leave(const Heard& heard, Line& line, Time now) {
+  if (is_pilots_now(heard) || (wish_ != Wish::kDrive && !is_engaged_) || !taken_by(heard).empty()) return;
+  set_point_at_.reset();
+  send_set_point({}, heard, line, now);
+  hold_.not_before.reset();
+  ask(hold_, heard, line, now);
+}
+
+std::string Control::taken_by(const Heard& heard) const {
+  if (!taken_.empty()) return taken_;
+  if (!heard.is_armed || heard.mode == Mode::kHold || heard.mode == Mode::kGuided || is_engaged_) return {};
+  return fmt::format(
+      "is armed and in mode {}: {}", name_of(heard.mode),
+      is_pilots(heard.mode) ? "a pilot steers it" : "somebody else, or its own failsafe, drives it");
+}
+
+}  // namespace mlab::mavlink

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "mlab/mavlink/boot_clock.h"
+#include "mlab/mavlink/messages.h"
+#include "mlab/vehicle/device.h"
+
+namespace mlab::mavlink {
+
+/// What is older than this is not reported.
+inline constexpr std::chrono::milliseconds kMotionLasts{1000};
+inline constexpr std::chrono::milliseconds kScanLasts{1000};
+inline constexpr std::chrono::milliseconds kBatteryLasts{10000};
+/// So long after its position jumped a rover is not relied on.
+inline constexpr std::chrono::milliseconds kJumpLasts{1000};
+
+/// Where a vehicle is on the earth, as it says itself.
+struct Place {
+  double latitude = 0.0;   ///< [rad]
+  double longitude = 0.0;  ///< [rad]
+  vehicle::Clock::time_point at;
+};
+
+/// What a rover says of itself, in our units and frames: x east, y north, angles counter-clockwise from east.
+/// What is no number, out of any range or older than what is known is dropped.
+class Readings {
+ public:
+  using Time = vehicle::Clock::time_point;
+
+  /// @param origin     of the rover's own frame in the world's; nothing: it is not known
+  /// @param max_speed  it can't be faster [m/s], > 0
+  Readings(std::optional<geom::Point> origin, double max_speed) : origin_(origin), max_speed_(max_speed) {}
+
+  // Each says whether the vehicle has begun again since the one before; then nothing is taken of it.
+  bool take(const Attitude& message, Time now);
+  bool take(const LocalPositionNed& message, Time now);
+  bool take(const GlobalPositionInt& message, Time now);
+  void take(const SysStatus& message, Time now);
+  void take(const BatteryStatus& message, Time now);
+  void take(const DistanceSensor& message, Time now);
+  void take(const ObstacleDistance& message, Time now);
+  /// Nothing is known any more; the vehicle's own clock begins anew.
+  void begin_anew();
+
+  std::optional<vehicle::Motion> motion(Time now) const;
+  std::optional<vehicle::Battery> battery(Time now) const;
+  std::optional<Place> place(Time now) const;
+  /// By their numbers: 0 is OBSTACLE_DISTANCE, 1 .. 8 are sensors of distance by their orientation.
+  void scans(Time now, std::vector<vehicle::Scan>& out) const;
+  /// How far its position has just jumped [m]; 0: it has not.
+  double jump(Time now) const;
+  /// Messages that were dropped.
+  std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  struct Turning {
+    double heading = 0.0;
+    double rate = 0.0;
+    Time at;
+  };
+  struct Moving {
+    geom::Point position;
+    geom::Offset velocity;
+    Time at;
+  };
+
+  bool hear(std::uint32_t kind, std::uint32_t boot_ms, Time now, bool& is_new);
+  void notice_jump(const Moving& next, Time now);
+  void keep(vehicle::Scan scan);
+
+  std::optional<geom::Point> origin_;
+  double max_speed_;
+  BootClock clock_;
+  std::optional<Turning> turning_;
+  std::optional<Moving> moving_;
+  std::optional<vehicle::Battery> battery_;
+  std::optional<Place> place_;
+  std::map<std::uint32_t, vehicle::Scan> scans_;
+  double jump_ = 0.0;
+  Time jumped_at_;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace mlab::mavlink
