@@ -1,6 +1,7 @@
 #include "mlab/cli/vehicle_kinds.h"
 
 #include <array>
+#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -8,8 +9,11 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/lang/odl/odl.h"
+#include "mlab/mavlink/rover_device.h"
+#include "mlab/mavlink/signing.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/vehicle/simulated/simulated_device.h"
+#include "mlab/vehicle/stream.h"
 
 namespace mlab::cli {
 namespace {
@@ -31,6 +35,40 @@ Made make_simulated(const RobotOptions& options) {
   return std::make_shared<vehicle::SimulatedDevice>(std::move(world), settings);
 }
 
+// What its options say of a vehicle that does not say so itself.
+vehicle::Limits limits_of(const RobotOptions& options, vehicle::Limits out) {
+  if (options.radius) out.radius = *options.radius;
+  if (options.max_speed) out.kinematics.max_speed = *options.max_speed;
+  if (options.max_turn_rate) out.kinematics.max_turn_rate = base::radians(*options.max_turn_rate);
+  return out;
+}
+
+std::expected<std::unique_ptr<vehicle::Stream>, std::string> stream_to(const RobotOptions& options) {
+  if (options.device.empty())
+    return std::unexpected(fmt::format("--binding {} needs --device: where the vehicle is connected",
+                                       options.binding));
+  const auto address = vehicle::parse_address(options.device);
+  if (!address) return std::unexpected(fmt::format("--device {}: {}", options.device, address.error().message));
+  return vehicle::make_stream(*address);
+}
+
+Made make_mavlink(const RobotOptions& options) {
+  auto stream = stream_to(options);
+  if (!stream) return std::unexpected(stream.error());
+  mavlink::RoverSettings settings;
+  settings.limits = limits_of(options, settings.limits);
+  if (options.origin) settings.origin = geom::Point{(*options.origin)[0], (*options.origin)[1]};
+  if (!options.key_file.empty()) {
+    std::ifstream file(options.key_file);
+    std::string line;
+    std::getline(file, line);
+    const auto key = mavlink::parse_key(line);
+    if (!key) return std::unexpected(fmt::format("--key-file {}: {}", options.key_file, key.error().message));
+    settings.key = *key;
+  }
+  return std::make_shared<mavlink::RoverDevice>(std::move(*stream), settings);
+}
+
 /// A kind of vehicle.
 struct Kind {
   std::string_view name;
@@ -41,6 +79,10 @@ struct Kind {
 constexpr std::array kKinds = {
     Kind{"simulated", "in a world of its own (--world, --at, --seed), for trying missions without a vehicle",
          make_simulated},
+    Kind{"mavlink",
+         "a rover under ArduPilot (--device, --key-file, --origin, --radius, --max-speed, --max-turn-rate); "
+         "docs/mavlink.md",
+         make_mavlink},
 };
 
 }  // namespace

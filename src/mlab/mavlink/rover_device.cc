@@ -178,6 +178,12 @@ void RoverDevice::notice(Time now, std::uint8_t severity, std::string text) {
   if (notes_.size() > kMostNotes) notes_.pop_front();
 }
 
+std::vector<std::string> RoverDevice::take_news() {
+  std::vector<std::string> out;
+  for (Note& one : take_notes()) out.push_back(std::move(one.text));
+  return out;
+}
+
 std::vector<Note> RoverDevice::take_notes() {
   std::vector<Note> out(notes_.begin(), notes_.end());
   notes_.clear();

@@ -68,6 +68,7 @@ class RoverDevice final : public vehicle::Device {
   std::optional<Place> place(Time now) const { return readings_.place(now); }
   /// What happened since this was called last, the oldest first; at most 32.
   std::vector<Note> take_notes();
+  std::vector<std::string> take_news() override;
   /// What came and was not taken for the rover's.
   const Refusals& refusals() const { return line_.refusals(); }
 

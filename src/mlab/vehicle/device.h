@@ -104,6 +104,8 @@ class Device {
   virtual void work(Clock::time_point now) = 0;
   /// What it is like now. Valid until the next call.
   virtual const Report& report(Clock::time_point now) = 0;
+  /// What happened since this was called last, for people at the vehicle, the oldest first, a line each.
+  virtual std::vector<std::string> take_news() { return {}; }
   /// Tells it what to do, cut to its limits. Has no effect where it is not ready; it may make it ready (arm
   /// it, change its mode), over several calls.
   /// @param command  what is no number counts as `stop`

@@ -1,6 +1,10 @@
 #include "mlab/vehicles/vehicle_process.h"
 
+#include <array>
 #include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -11,6 +15,7 @@
 #include "mlab/dds/reader.h"
 #include "mlab/dds/waiter.h"
 #include "mlab/dds/writer.h"
+#include "mlab/text/shown.h"
 #include "mlab/vehicle/messages.h"
 #include "mlab/vehicles/vehicle_line.h"
 #include "mlab/vehicle/server.h"
@@ -75,6 +80,7 @@ class DrivenDevice final : public agents::Companion {
 
   // What has changed, for people.
   void tell(Clock::time_point now) {
+    for (const std::string& one : device_->take_news()) log_->add(text::shown(one, 200));
     const vehicle::Report& report = device_->report(now);
     const std::string state =
         fmt::format("{}{}", word(report.readiness), report.why.empty() ? "" : ": it " + report.why);
