@@ -38,6 +38,8 @@ for (const one of settings) {
 
 const began = performance.now();
 const now = () => ((performance.now() - began) / 1000) * Number(speedUp) + 1;
+// What it counts its patience by: where the machine gives it no time, this waits, too, so that what has come meanwhile counts.
+let lived = 0;
 const rover = { mode: 0, armed: false, critical: false, north: 0, east: 0, yaw: 0, speed: 0, yawRate: 0, wanted: 0, forced: 0, stoodAt: 0 };
 const heard = { station: null, setPoint: null, setPoints: 0, refused: 0, signedAt: 0 };
 const intervals = new Map([[minimal.Heartbeat.MSG_ID, 1]]);
@@ -93,7 +95,7 @@ function answerParameter(name) {
 
 const takers = {
   [minimal.Heartbeat.MSG_ID]: (message, header) => {
-    if (header.sysid === parameters.SYSID_MYGCS && message.type === 6) heard.station = now();
+    if (header.sysid === parameters.SYSID_MYGCS && message.type === 6) heard.station = lived;
   },
   [common.CommandLong.MSG_ID]: (message) => {
     const result = commands[message.command]?.(message) ?? 3;
@@ -108,7 +110,7 @@ const takers = {
     heard.setPoints++;
     // Position, acceleration and yaw are to be ignored, velocity and turn rate not.
     if (rover.mode !== GUIDED || message.typeMask !== 0x05e7 || message.coordinateFrame !== 8) return;
-    heard.setPoint = now();
+    heard.setPoint = lived;
     rover.wanted = Math.sign(message.vx) * Math.hypot(message.vx, message.vy);
     rover.yawRate = message.yawRate;
   },
@@ -125,19 +127,19 @@ parser.on("data", (packet) => {
 socket.on("message", (bytes) => splitter.write(bytes));
 
 function move() {
-  const isTold = rover.mode === GUIDED && heard.setPoint !== null && now() - heard.setPoint <= parameters.GUID_TIMEOUT;
+  const isTold = rover.mode === GUIDED && heard.setPoint !== null && lived - heard.setPoint <= parameters.GUID_TIMEOUT;
   const wanted = rover.armed && isTold ? rover.wanted : 0;
   if (!rover.armed || !isTold) rover.yawRate = 0;
   const change = Math.max(-acceleration * step, Math.min(acceleration * step, wanted - rover.speed));
   rover.speed = Math.abs(wanted - rover.speed) < 1e-9 ? wanted : rover.speed + change;
-  if (rover.speed === 0 && change !== 0) rover.stoodAt = now();
+  if (rover.speed === 0 && change !== 0) rover.stoodAt = lived;
   rover.north += rover.speed * Math.cos(rover.yaw) * step;
   rover.east += rover.speed * Math.sin(rover.yaw) * step;
   rover.yaw += rover.yawRate * step;
 }
 
 function watch() {
-  const isAlone = heard.station !== null && now() - heard.station > parameters.FS_TIMEOUT;
+  const isAlone = heard.station !== null && lived - heard.station > parameters.FS_TIMEOUT;
   rover.critical = rover.armed && isAlone && parameters.FS_GCS_ENABLE > 0;
   if (rover.critical) rover.mode = HOLD;
 }
@@ -163,7 +165,9 @@ function stream() {
 
 let stepped = now();
 setInterval(() => {
+  stepped = Math.max(stepped, now() - 0.2);
   for (; stepped < now(); stepped += step) {
+    lived += step;
     move();
     watch();
   }
@@ -175,6 +179,6 @@ createInterface({ input: process.stdin }).on("line", (line) => {
   if (word === "mode") rover.mode = Number(value);
   if (word === "disarm") rover.armed = false;
   if (word === "shift") rover.north += Number(value);
-  console.log(JSON.stringify({ ...rover, ...parameters, setPoints: heard.setPoints, refused: heard.refused, time: now() }));
+  console.log(JSON.stringify({ ...rover, ...parameters, setPoints: heard.setPoints, refused: heard.refused, time: lived }));
 }).on("close", () => process.exit(0));
 socket.bind(0, "127.0.0.1", () => console.log("ready"));

@@ -14,7 +14,7 @@
 namespace mlab::vehicles {
 
 /// How much faster than the machine's time the rover's and its device's runs.
-inline constexpr int kSpeed = 8;
+inline constexpr int kSpeed = 6;
 
 /// The rover of rover.mjs, in a process of its own that ends with this object.
 class RoverPeer {

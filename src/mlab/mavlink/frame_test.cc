@@ -1,5 +1,6 @@
 #include "mlab/mavlink/frame.h"
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "mlab/mavlink/line.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mlab/mavlink/ardupilot.h"

@@ -1,5 +1,7 @@
 #include "mlab/mavlink/rover_device.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 

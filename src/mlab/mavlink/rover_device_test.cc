@@ -1,5 +1,6 @@
 #include "mlab/mavlink/rover_device.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
