@@ -110,9 +110,9 @@ void Mrv2Model::Parts::say_ranges() {
 bool Mrv2Model::Parts::is_pausing(double dt) {
   if (!spec.lurches) return false;
   const bool is_told = drive.has_value() && (drive->speed != 0.0 || drive->turn_rate != 0.0);
-  const bool is_begun = lurch_time > 0.0 && lurch_time < spec.lurch + spec.pause;
-  lurch_time = is_told || is_begun ? lurch_time + dt : 0.0;
-  if (lurch_time >= spec.lurch + spec.pause) lurch_time = is_told ? dt : 0.0;
+  lurch_time = is_told || lurch_time > 0.0 ? lurch_time + dt : 0.0;
+  const double whole = spec.lurch + spec.pause;
+  if (lurch_time > whole) lurch_time = is_told ? lurch_time - whole : 0.0;
   return lurch_time > spec.lurch;
 }
 

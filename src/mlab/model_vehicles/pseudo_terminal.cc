@@ -23,10 +23,11 @@ std::string because(std::string_view what) {
   return fmt::format("{}: {}", what, std::generic_category().message(errno));
 }
 
-/// Whether `link` is a symbolic link to a file that isn't there.
-bool points_at_nothing(const std::filesystem::path& link) {
+/// Whether `link` is a symbolic link to a pseudo-terminal: somebody's before, who was killed. The number that
+/// it names may be another one's by now.
+bool is_left_over(const std::filesystem::path& link) {
   std::error_code error;
-  return std::filesystem::is_symlink(link, error) && !std::filesystem::exists(link, error);
+  return std::filesystem::read_symlink(link, error).native().starts_with("/dev/pts/");
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ std::expected<std::unique_ptr<PseudoTerminal>, std::string> PseudoTerminal::open
   if (::tcsetattr(line->other_end_, TCSANOW, &how) != 0)
     return std::unexpected(because(line->path_ + " can't be set up"));
   if (link.empty()) return line;
-  if (points_at_nothing(link)) std::filesystem::remove(link);
+  if (is_left_over(link)) ::unlink(link.c_str());
   if (::symlink(line->path_.c_str(), link.c_str()) != 0)
     return std::unexpected(because(fmt::format("there can't be a link `{}`", link)));
   line->link_ = link;
@@ -55,7 +56,8 @@ std::expected<std::unique_ptr<PseudoTerminal>, std::string> PseudoTerminal::open
 }
 
 PseudoTerminal::~PseudoTerminal() {
-  if (!link_.empty()) ::unlink(link_.c_str());
+  std::error_code error;
+  if (!link_.empty() && std::filesystem::read_symlink(link_, error) == path_) ::unlink(link_.c_str());
   if (other_end_ >= 0) ::close(other_end_);
   if (own_end_ >= 0) ::close(own_end_);
 }

@@ -12,7 +12,7 @@ namespace mlab::model_vehicles {
 class PseudoTerminal {
  public:
   /// @param link  a symbolic link to its file that is to be there as long as it is; empty: none. One that
-  ///              points at nothing any more is replaced
+  ///              points at a pseudo-terminal is replaced: who was killed leaves it
   /// @errors  what the system said of it, as a sentence
   static std::expected<std::unique_ptr<PseudoTerminal>, std::string> open(const std::string& link);
   ~PseudoTerminal();

@@ -14,7 +14,7 @@ struct TextRoverSpec {
   double max_speed = 0.5;        ///< [m/s]
   double max_turn_rate = 1.0;    ///< [rad/s]
   double encoder_noise = 0.02;   ///< standard deviation of a step's length and turn, as a share of them
-  geom::Pose place;              ///< where it stands when it is switched on [m, world]
+  geom::Pose place = {};              ///< where it stands when it is switched on [m, world]
   std::uint64_t seed = 1;
 };
 

@@ -69,7 +69,8 @@ void LineReader::begin_anew() {
 }
 
 std::optional<Words> words_of(std::string_view text) {
-  if (text.empty() || (text.size() > 1 && text[1] != ' ')) return std::nullopt;
+  const bool begins_well = !text.empty() && text[0] >= 'A' && text[0] <= 'Z';
+  if (!begins_well || (text.size() > 1 && text[1] != ' ')) return std::nullopt;
   Words words{text[0], {}};
   text.remove_prefix(1);
   while (!text.empty()) {

@@ -30,7 +30,7 @@ class LineReader {
   std::size_t read_ = 0;  // of bytes_
 };
 
-/// What stands in a line: a word of one letter, and numbers.
+/// What stands in a line: a word of one letter, `A` to `Z`, and numbers.
 struct Words {
   char word = ' ';
   std::vector<double> numbers;  ///< finite; `-` is an infinite one

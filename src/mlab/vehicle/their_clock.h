@@ -18,6 +18,9 @@ class TheirClock {
   /// It was switched off, or another one is there.
   void forget() { base_.reset(); }
   bool is_known() const { return base_.has_value(); }
+  /// Whether times can be counted on. Not so right after it was heard first, nor while what comes was held back
+  /// somewhere and catches up: each piece of that is less late than the one before.
+  bool is_settled(Clock::time_point now) const;
 
   /// When it was so. It has to be known.
   Clock::time_point ours(std::uint32_t theirs) const;
@@ -31,6 +34,7 @@ class TheirClock {
     Clock::time_point ours;
   };
   std::optional<Base> base_;
+  Clock::time_point caught_up_at_;  // something was less late than all before
 };
 
 }  // namespace mlab::vehicle

@@ -161,7 +161,7 @@ void Mrv2Device::take(const Identity& identity, Clock::time_point) {
 
 void Mrv2Device::take(const State& state, Clock::time_point now) {
   belongs_to(state.boot);
-  if (!clock_.hear(state.time, now)) return;
+  if (!clock_.hear(state.time, now) || !clock_.is_settled(now)) return;
   const Clock::time_point at = clock_.ours(state.time);
   if (now - at <= kSilent) heard_at_ = now;
   motion_ = {state.pose, state.speed, state.turn_rate, at};
@@ -174,7 +174,7 @@ void Mrv2Device::take(const State& state, Clock::time_point now) {
 void Mrv2Device::take(const Ranges& ranges, Clock::time_point now) {
   belongs_to(ranges.boot);
   const bool fits = identity_.has_value() && ranges.distances.size() == identity_->sensors;
-  if (!clock_.hear(ranges.time, now) || !fits) return;
+  if (!clock_.hear(ranges.time, now) || !clock_.is_settled(now) || !fits) return;
   Scan scan;
   // Beams of the ring begin at the vehicle's edge, those of a scan in its middle.
   const double edge = identity_->radius;

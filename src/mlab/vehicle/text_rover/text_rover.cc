@@ -123,6 +123,7 @@ class TextRover final : public Device {
       begin_anew();  // it was switched off and on
       clock_.hear(time, now);
     }
+    if (!clock_.is_settled(now)) return;  // it may be of long ago
     const Clock::time_point at = clock_.ours(time);
     if (words.word == 'P' && n.size() == 6) {
       motion_ = Motion{{{n[1], n[2]}, n[3]}, n[4], n[5], at};
