@@ -35,6 +35,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"mission", {"overlay", "percept"}},
     {"binding", {"percept", "overlay"}},
     {"vehicle", {"binding", "text"}},
+    {"model_vehicles", {"vehicle", "lang/odl"}},
     {"sim", {"binding"}},
     {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},
@@ -78,6 +79,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
 /// What the sources of a module use besides, and keep to themselves: neither its headers nor who stands above
 /// it know of it.
 const std::map<std::string, Modules, std::less<>> kKept = {
+    {"model_vehicles", {"sim"}},
     {"simulated", {"sim"}},
     {"training", {"sim"}},
 };

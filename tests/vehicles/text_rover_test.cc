@@ -1,14 +1,13 @@
 // The vehicle of docs/adding_a_vehicle.md, by what every device has to hold.
 
+#include "mlab/vehicle/text_rover/text_rover.h"
 #include "line_rig.h"
 #include "mlab/model_vehicles/text_rover_model.h"
 #include "mlab/vehicle/testing/conformance.h"
-#include "mlab/vehicle/text_rover/text_rover.h"
 
 namespace mlab::vehicle {
 namespace {
 
-// [[rig]]
 std::unique_ptr<Rig> make_text_rover_rig(std::uint64_t seed) {
   model_vehicles::TextRoverSpec spec;
   spec.encoder_noise = 0.0;  // else nobody could say what is right
@@ -25,7 +24,6 @@ std::unique_ptr<Rig> make_text_rover_rig(std::uint64_t seed) {
 
 INSTANTIATE_TEST_SUITE_P(TextRover, Conformance, testing::Values(RigKind{"TextRover", make_text_rover_rig}),
                          kind_name);
-// [[end]]
 
 }  // namespace
 }  // namespace mlab::vehicle

@@ -17,7 +17,8 @@ struct Body::Parts {
   percept::Percepts percepts;
   geom::Pose origin;  // of what is counted
 
-  Parts(const overlay::Overlay& world, std::uint64_t seed) : simulator(sim::world_of(world), {.seed = seed}) {}
+  Parts(const overlay::Overlay& world, std::uint64_t seed)
+      : simulator(sim::world_of(world), {.seed = seed}) {}
   void sense() { simulator.sense(body, needs, buffer, percepts); }
 };
 

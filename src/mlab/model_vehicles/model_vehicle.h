@@ -7,8 +7,8 @@
 
 namespace mlab::model_vehicles {
 
-/// A vehicle that isn't there, at its end of a serial line: it obeys what arrives, and says what it has to say.
-/// It knows no clock: time goes by when it is told so.
+/// A vehicle that isn't there, at its end of a serial line: it obeys what arrives, and says what it has to
+/// say. It knows no clock: time goes by when it is told so.
 class ModelVehicle {
  public:
   /// What it really does, whatever its sensors say.

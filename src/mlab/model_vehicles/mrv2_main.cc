@@ -15,8 +15,10 @@ namespace mlab::model_vehicles {
 namespace {
 
 constexpr const char* kDescription =
-    "A Denning MRV-2 that isn't there: a model of the vehicle behind a serial line, for tests and for who has\n"
-    "none. It prints `line: PATH`; a device opened there meets what it would meet on the vehicle's own line.\n"
+    "A Denning MRV-2 that isn't there: a model of the vehicle behind a serial line, for tests and for who "
+    "has\n"
+    "none. It prints `line: PATH`; a device opened there meets what it would meet on the vehicle's own "
+    "line.\n"
     "It runs until it is interrupted (Ctrl-C).";
 
 /// The same in degrees, as people say them.
@@ -55,9 +57,10 @@ void add_vehicle_options(CLI::App& app, Mrv2Spec& spec, Degrees& degrees) {
   app.add_option("--dropout", spec.sonar.dropout, "chance that an echo is not heard")
       ->check(share)
       ->capture_default_str();
-  app.add_option("--glancing", degrees.glancing_deg,
-                 "walls throw sound elsewhere that meets them under more than this from straight on; 90: none "
-                 "does [degrees]")
+  app.add_option(
+         "--glancing", degrees.glancing_deg,
+         "walls throw sound elsewhere that meets them under more than this from straight on; 90: none "
+         "does [degrees]")
       ->check(CLI::Range(0.0, 90.0))
       ->capture_default_str();
   app.add_flag("--lurch", spec.lurches, "it moves for a second, stands for half a second, and so on");

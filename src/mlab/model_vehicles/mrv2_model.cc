@@ -47,7 +47,7 @@ struct Mrv2Model::Parts {
   base::Random random;
   vehicle::mrv2::FrameReader frames;
   std::uint16_t boot = 0;
-  double time = 0.0;  // since it was switched on [s]
+  double time = 0.0;    // since it was switched on [s]
   double worked = 0.0;  // since its battery was charged [s]
   double said_state = 0.0;
   double said_ranges = 0.0;
@@ -106,7 +106,8 @@ void Mrv2Model::Parts::say_ranges() {
       boot, clock(), heard(spec.sonar, body.truth().pose, kRadius, body.ranges(), body.walls(), random)});
 }
 
-/// Whether it stands between two lurches; a lurch begins with the first command after it stood for long enough.
+/// Whether it stands between two lurches; a lurch begins with the first command after it stood for long
+/// enough.
 bool Mrv2Model::Parts::is_pausing(double dt) {
   if (!spec.lurches) return false;
   const bool is_told = drive.has_value() && (drive->speed != 0.0 || drive->turn_rate != 0.0);

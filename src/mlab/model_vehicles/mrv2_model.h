@@ -17,14 +17,14 @@ struct Mrv2Spec {
   double max_speed = 0.1;                         ///< [m/s]
   double max_turn_rate = std::numbers::pi / 2.0;  ///< [rad/s]
   double max_acceleration = 0.5;                  ///< [m/s^2]
-  double watchdog = 1.0;       ///< after such a silence it brakes, whatever the last command said [s]
+  double watchdog = 1.0;        ///< after such a silence it brakes, whatever the last command said [s]
   double encoder_noise = 0.02;  ///< standard deviation of a step's length and turn, as a share of them
   SonarSpec sonar = {};
-  bool lurches = false;       ///< it moves for `lurch`, stands for `pause`, and so on
-  double lurch = 1.0;         ///< [s], > 0
-  double pause = 0.5;         ///< [s], > 0
-  geom::Pose place = {};           ///< where it stands when it is switched on [m, world]
-  std::uint64_t seed = 1;     ///< of noise, drop-outs and drift
+  bool lurches = false;    ///< it moves for `lurch`, stands for `pause`, and so on
+  double lurch = 1.0;      ///< [s], > 0
+  double pause = 0.5;      ///< [s], > 0
+  geom::Pose place = {};   ///< where it stands when it is switched on [m, world]
+  std::uint64_t seed = 1;  ///< of noise, drop-outs and drift
 };
 
 /// A Denning MRV-2 in the world of an overlay; speaks as docs/vehicles_mrv2.md says.

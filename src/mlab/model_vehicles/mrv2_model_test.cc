@@ -30,7 +30,9 @@ overlay::Overlay world_of_text(const std::string& text) {
 /// The vehicle, and what it said last.
 class Spoken {
  public:
-  explicit Spoken(const Mrv2Spec& spec, const overlay::Overlay& world = {}) : model_(world, spec) { go(0.25); }
+  explicit Spoken(const Mrv2Spec& spec, const overlay::Overlay& world = {}) : model_(world, spec) {
+    go(0.25);
+  }
 
   void say(const mrv2::Message& message) { model_.receive(mrv2::bytes_of(message)); }
   /// Commands hold for a second from now.
@@ -96,7 +98,8 @@ TEST(Mrv2Model, RefusesWhatIsOverOrMeantForAnother) {
   vehicle.say(mrv2::Drive{vehicle.state.boot, vehicle.state.time - 1, 0.1, 0.0});
   vehicle.go(0.3);
   EXPECT_EQ(vehicle.speed(), 0.0);
-  vehicle.say(mrv2::Drive{static_cast<std::uint16_t>(vehicle.state.boot + 1), vehicle.state.time + 1000, 0.1, 0.0});
+  vehicle.say(
+      mrv2::Drive{static_cast<std::uint16_t>(vehicle.state.boot + 1), vehicle.state.time + 1000, 0.1, 0.0});
   vehicle.go(0.3);
   EXPECT_EQ(vehicle.speed(), 0.0);
   const std::uint16_t before = vehicle.state.boot;

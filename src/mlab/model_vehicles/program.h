@@ -21,12 +21,12 @@ inline constexpr int kBadInput = 2;  ///< what was asked for can't be understood
 
 /// What is asked of all programs of model vehicles.
 struct ProgramOptions {
-  std::string overlay;            ///< path; empty: there is nothing in its world
-  double x = 0.0;                 ///< [m]
-  double y = 0.0;                 ///< [m]
+  std::string overlay;  ///< path; empty: there is nothing in its world
+  double x = 0.0;       ///< [m]
+  double y = 0.0;       ///< [m]
   double heading_deg = 0.0;
   std::uint64_t seed = 1;
-  std::string link;               ///< see PseudoTerminal::open
+  std::string link;  ///< see PseudoTerminal::open
   geom::Pose place() const;
 };
 void add_options(CLI::App& app, ProgramOptions& options);

@@ -72,8 +72,8 @@ bool is_thrown_elsewhere(const SonarSpec& spec, const geom::Pose& pose, double a
 }
 
 std::vector<float> heard(const SonarSpec& spec, const geom::Pose& pose, double edge,
-                         std::span<const percept::RangeReading> readings, std::span<const binding::Wall> walls,
-                         base::Random& random) {
+                         std::span<const percept::RangeReading> readings,
+                         std::span<const binding::Wall> walls, base::Random& random) {
   std::vector<float> distances;
   for (const percept::RangeReading& reading : readings) {
     const double noise = spec.noise * random.normal();

@@ -34,7 +34,7 @@ bool is_thrown_elsewhere(const SonarSpec& spec, const geom::Pose& pose, double a
 /// @param readings  what is there, from its edge
 /// @return  by sensor, from its edge [m]; infinite: no echo
 std::vector<float> heard(const SonarSpec& spec, const geom::Pose& pose, double edge,
-                         std::span<const percept::RangeReading> readings, std::span<const binding::Wall> walls,
-                         base::Random& random);
+                         std::span<const percept::RangeReading> readings,
+                         std::span<const binding::Wall> walls, base::Random& random);
 
 }  // namespace mlab::model_vehicles

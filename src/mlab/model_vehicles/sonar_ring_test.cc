@@ -53,8 +53,7 @@ TEST(SonarRing, HearsWhatIsNoWall) {
 TEST(SonarRing, LooksFromWhereTheVehicleIs) {
   const geom::Pose pose{{1.0, 3.0}, radians(-60.0)};
   EXPECT_FALSE(is_thrown_elsewhere(silent_spec(), pose, radians(60.0), 1.0, kWall));
-  EXPECT_TRUE(
-      is_thrown_elsewhere(silent_spec(), pose, radians(100.0), 1.0 / std::cos(radians(35.0)), kWall));
+  EXPECT_TRUE(is_thrown_elsewhere(silent_spec(), pose, radians(100.0), 1.0 / std::cos(radians(35.0)), kWall));
 }
 
 TEST(SonarRing, TellsWhatIsTooNearOrTooFarAsItCan) {

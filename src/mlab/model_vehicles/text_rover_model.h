@@ -11,14 +11,15 @@ namespace mlab::model_vehicles {
 
 /// What a model of the text rover is like.
 struct TextRoverSpec {
-  double max_speed = 0.5;        ///< [m/s]
-  double max_turn_rate = 1.0;    ///< [rad/s]
-  double encoder_noise = 0.02;   ///< standard deviation of a step's length and turn, as a share of them
-  geom::Pose place = {};              ///< where it stands when it is switched on [m, world]
+  double max_speed = 0.5;       ///< [m/s]
+  double max_turn_rate = 1.0;   ///< [rad/s]
+  double encoder_noise = 0.02;  ///< standard deviation of a step's length and turn, as a share of them
+  geom::Pose place = {};        ///< where it stands when it is switched on [m, world]
   std::uint64_t seed = 1;
 };
 
-/// The vehicle of docs/adding_a_vehicle.md, in the world of an overlay: two wheels, eight sensors of distances.
+/// The vehicle of docs/adding_a_vehicle.md, in the world of an overlay: two wheels, eight sensors of
+/// distances.
 class TextRoverModel final : public ModelVehicle {
  public:
   TextRoverModel(const overlay::Overlay& world, const TextRoverSpec& spec);

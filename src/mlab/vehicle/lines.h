@@ -8,7 +8,8 @@
 
 namespace mlab::vehicle {
 
-// Text over a serial line that loses bytes: each line ends with `*`, the checksum of what stands in front of it
+// Text over a serial line that loses bytes: each line ends with `*`, the checksum of what stands in front of
+// it
 // (`checksum_of`, four hexadecimal digits), and a line feed.
 
 /// The line of a text, with its end: `V 1200 0.2 0.1*F00D` and a line feed.

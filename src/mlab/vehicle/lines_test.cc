@@ -101,7 +101,8 @@ TEST(Words, AreOneLetterAndNumbers) {
 }
 
 TEST(Words, AreNothingWhereSomethingIsNoNumber) {
-  for (const char* text : {"", "PX", "P  1", "P 1 ", "P nan", "P inf", "P 1e999", "P 1x", "P --", "P 0x10", "1 2", "-", " 1 2"})
+  for (const char* text :
+       {"", "PX", "P  1", "P 1 ", "P nan", "P inf", "P 1e999", "P 1x", "P --", "P 0x10", "1 2", "-", " 1 2"})
     EXPECT_FALSE(words_of(text).has_value()) << text;
 }
 

@@ -23,8 +23,10 @@ TEST(TheirClock, TakesTheFastestForAtOnce) {
 TEST(TheirClock, FollowsAClockThatIsSlower) {
   TheirClock clock;
   Clock::time_point now = kBegin;
-  for (std::uint32_t theirs = 0; theirs < 3'600'000; theirs += 100, now += 100ms + 50us) clock.hear(theirs, now);
-  EXPECT_NEAR(std::chrono::duration<double>(clock.ours(3'599'900) - (now - 100ms - 50us)).count(), 0.0, 0.001);
+  for (std::uint32_t theirs = 0; theirs < 3'600'000; theirs += 100, now += 100ms + 50us)
+    clock.hear(theirs, now);
+  EXPECT_NEAR(std::chrono::duration<double>(clock.ours(3'599'900) - (now - 100ms - 50us)).count(), 0.0,
+              0.001);
 }
 
 TEST(TheirClock, LeavesOutWhatRunsBackwards) {

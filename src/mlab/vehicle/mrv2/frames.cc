@@ -49,8 +49,8 @@ std::optional<Frame> FrameReader::next() {
     const std::size_t whole = kHead + length + kTail;
     if (from_begin.size() < whole) return std::nullopt;
     const std::uint16_t sum = checksum_of(from_begin.substr(kBegin.size(), 2 + length));
-    const auto told = static_cast<std::uint16_t>(byte_at(from_begin, whole - 2) |
-                                                 (byte_at(from_begin, whole - 1) << 8));
+    const auto told =
+        static_cast<std::uint16_t>(byte_at(from_begin, whole - 2) | (byte_at(from_begin, whole - 1) << 8));
     if (sum != told) {
       ++read_;  // what looked like a begin was none
       continue;

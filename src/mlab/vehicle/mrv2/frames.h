@@ -20,8 +20,8 @@ inline constexpr std::size_t kLongestPayload = 255;
 /// @param payload  at most kLongestPayload bytes; what is beyond is left out
 std::string bytes_of(const Frame& frame);
 
-/// Finds frames in bytes as they come. Whatever comes, it goes on with the next whole frame; bytes that belong
-/// to none are left out.
+/// Finds frames in bytes as they come. Whatever comes, it goes on with the next whole frame; bytes that
+/// belong to none are left out.
 class FrameReader {
  public:
   void add(std::string_view bytes);

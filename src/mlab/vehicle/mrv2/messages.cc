@@ -186,10 +186,10 @@ std::optional<Message> read_drive(Reader in) {
 
 std::string bytes_of(const Message& message) {
   Writer out;
-  const std::uint8_t type = std::visit(base::Overloaded{[](const Stop&) { return kStop; },
-                                                        [](const Ask&) { return kAsk; },
-                                                        [&](const auto& m) { return write(m, out); }},
-                                       message);
+  const std::uint8_t type =
+      std::visit(base::Overloaded{[](const Stop&) { return kStop; }, [](const Ask&) { return kAsk; },
+                                  [&](const auto& m) { return write(m, out); }},
+                 message);
   return bytes_of(Frame{type, out.bytes()});
 }
 

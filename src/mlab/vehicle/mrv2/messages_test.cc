@@ -13,7 +13,8 @@ namespace {
 /// All that is found in the bytes, with the types of frames in front.
 std::string read_all(FrameReader& reader) {
   std::string all;
-  while (const auto frame = reader.next()) all += static_cast<char>(frame->type) + std::string(frame->payload);
+  while (const auto frame = reader.next())
+    all += static_cast<char>(frame->type) + std::string(frame->payload);
   return all;
 }
 

@@ -84,9 +84,7 @@ class Mrv2Device final : public Device {
   void forget();
   void speak(Clock::time_point now);
   void send(const Message& message, Clock::time_point now);
-  bool is_heard(Clock::time_point now) const {
-    return motion_.has_value() && now - motion_->at <= kSilent;
-  }
+  bool is_heard(Clock::time_point now) const { return motion_.has_value() && now - motion_->at <= kSilent; }
   std::pair<Readiness, std::string> readiness(Clock::time_point now) const;
 
   std::unique_ptr<Stream> stream_;
@@ -146,9 +144,9 @@ void Mrv2Device::read(Clock::time_point now) {
     while (const auto frame = frames_.next()) {
       const auto message = message_of(*frame);
       if (!message.has_value()) continue;
-      std::visit(base::Overloaded{[&](const Identity& m) { take(m, now); }, [&](const State& m) { take(m, now); },
-                                  [&](const Ranges& m) { take(m, now); },
-                                  [](const auto&) {}},  // what is said to vehicles
+      std::visit(base::Overloaded{
+                     [&](const Identity& m) { take(m, now); }, [&](const State& m) { take(m, now); },
+                     [&](const Ranges& m) { take(m, now); }, [](const auto&) {}},  // what is said to vehicles
                  *message);
     }
   }
@@ -184,7 +182,8 @@ void Mrv2Device::take(const Ranges& ranges, Clock::time_point now) {
   scan.farthest = edge + identity_->range;
   scan.at = clock_.ours(ranges.time);
   for (const float distance : ranges.distances) {
-    const bool is_told = distance >= identity_->nearest - kRounding && distance <= identity_->range + kRounding;
+    const bool is_told =
+        distance >= identity_->nearest - kRounding && distance <= identity_->range + kRounding;
     const double there = std::clamp(edge + distance, scan.nearest, scan.farthest);
     scan.distances.push_back(std::isinf(distance) ? distance
                              : is_told            ? static_cast<float>(there)

@@ -13,8 +13,8 @@ namespace mlab::vehicle {
 
 /// What may be said of a Denning MRV-2 besides where it is. docs/vehicles_mrv2.md explains them.
 struct Mrv2Settings {
-  double max_speed = 0.1;                          ///< it is not driven faster [m/s], > 0
-  double max_turn_rate = std::numbers::pi / 2.0;   ///< nor turned [rad/s], > 0
+  double max_speed = 0.1;                         ///< it is not driven faster [m/s], > 0
+  double max_turn_rate = std::numbers::pi / 2.0;  ///< nor turned [rad/s], > 0
   /// It has to brake at least so hard; one that says that it can't is not ready [m/s^2], > 0
   double braking = 0.5;
   /// A command is obeyed so long after it was given, however long it was under way [s], > 0.2

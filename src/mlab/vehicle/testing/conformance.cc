@@ -89,7 +89,8 @@ void Conformance::check_limits() const {
   EXPECT_LE(truth.speed, k.max_speed + facts.speed_error) << "faster than its limits say";
   EXPECT_GE(truth.speed, std::min(limits_.min_speed, 0.0) - facts.speed_error) << "goes backwards";
   if (k.max_turn_rate > 0.0) {
-    EXPECT_LE(std::abs(truth.turn_rate), k.max_turn_rate + facts.turn_error) << "turns faster than its limits";
+    EXPECT_LE(std::abs(truth.turn_rate), k.max_turn_rate + facts.turn_error)
+        << "turns faster than its limits";
   }
 }
 
@@ -115,20 +116,21 @@ void Conformance::check_motion(const Motion& motion, bool is_global) {
   if (is_global) origin_ = geom::Pose{};
   if (!origin_.has_value()) origin_ = origin_of(past_.back().truth.pose, motion.pose);
   const Truth& truth = past_.back().truth;
-  EXPECT_TRUE(was_so(motion)) << "reported: " << motion.pose.position.x << ' ' << motion.pose.position.y << ' '
-                              << motion.pose.heading << " at " << motion.speed << " m/s " << motion.turn_rate
-                              << " rad/s, " << seconds(now_ - motion.at) << " s ago; now true: "
-                              << truth.pose.position.x << ' ' << truth.pose.position.y << ' '
-                              << truth.pose.heading << " at " << truth.speed << " m/s " << truth.turn_rate
-                              << " rad/s; origin " << origin_->position.x << ' ' << origin_->position.y << ' '
-                              << origin_->heading;
+  EXPECT_TRUE(was_so(motion)) << "reported: " << motion.pose.position.x << ' ' << motion.pose.position.y
+                              << ' ' << motion.pose.heading << " at " << motion.speed << " m/s "
+                              << motion.turn_rate << " rad/s, " << seconds(now_ - motion.at)
+                              << " s ago; now true: " << truth.pose.position.x << ' ' << truth.pose.position.y
+                              << ' ' << truth.pose.heading << " at " << truth.speed << " m/s "
+                              << truth.turn_rate << " rad/s; origin " << origin_->position.x << ' '
+                              << origin_->position.y << ' ' << origin_->heading;
 }
 
 void Conformance::check_stamp(const std::string& what, Clock::time_point at) const {
   EXPECT_LE(at, now_) << what << " is of the future";
   EXPECT_LE(seconds(now_ - at), rig_->facts().silent_after + kPeriod) << what << " is stale";
   if (cut_at_.has_value()) {
-    EXPECT_LE(at, *cut_at_ + impairment_.delay + duration_of(kPeriod)) << what << " came over a line that is cut";
+    EXPECT_LE(at, *cut_at_ + impairment_.delay + duration_of(kPeriod))
+        << what << " came over a line that is cut";
   }
 }
 
@@ -220,7 +222,8 @@ bool Conformance::stands() const {
 
 void Conformance::expect_standing(const std::string& when) const {
   const Truth& truth = past_.back().truth;
-  EXPECT_TRUE(stands()) << when << ": " << truth.speed << " m/s, " << truth.turn_rate << " rad/s; seed " << seed_;
+  EXPECT_TRUE(stands()) << when << ": " << truth.speed << " m/s, " << truth.turn_rate << " rad/s; seed "
+                        << seed_;
 }
 
 Command Conformance::full_ahead() const {
@@ -338,8 +341,8 @@ TEST_P(Conformance, KeepsItsLimitsWhateverIsAsked) {
 
 TEST_P(Conformance, StandsWhereACommandIsNoNumber) {
   wait_until_ready();
-  for (const Command& command : {Command{kNan, 0.0}, Command{0.1, kNan}, Command{kInfinity, 0.0},
-                                 Command{0.1, -kInfinity}}) {
+  for (const Command& command :
+       {Command{kNan, 0.0}, Command{0.1, kNan}, Command{kInfinity, 0.0}, Command{0.1, -kInfinity}}) {
     get_moving(full_ahead());
     go(device().limits().standstill, command);
     expect_standing("told what is no number");

@@ -14,10 +14,11 @@ namespace mlab::vehicle {
 
 /// What every device has to hold, whatever connects it. A kind of device is tried by all of it with
 ///
-///     INSTANTIATE_TEST_SUITE_P(Rover, Conformance, testing::Values(RigKind{"Rover", make_rover_rig}), kind_name);
+///     INSTANTIATE_TEST_SUITE_P(Rover, Conformance, testing::Values(RigKind{"Rover", make_rover_rig}),
+///     kind_name);
 ///
-/// in a test that links mlab_vehicle_conformance. While time goes by it is asked each time whether the vehicle
-/// keeps its limits and whether what is reported of it was so.
+/// in a test that links mlab_vehicle_conformance. While time goes by it is asked each time whether the
+/// vehicle keeps its limits and whether what is reported of it was so.
 class Conformance : public testing::TestWithParam<RigKind> {
  protected:
   Conformance();

@@ -60,8 +60,8 @@ void TestLine::put(Way& way, std::string_view bytes, Clock::time_point now) {
     const std::size_t length = std::min<std::size_t>(bytes.size(), 1 + random_.below(kLongestPiece));
     const Clock::time_point behind = way.empty() ? now : way.back().arrives;
     if (random_.uniform() >= impairment_.loss)
-      way.push_back({std::max(now + impairment_.delay, behind) + kByte * length,
-                     std::string(bytes.substr(0, length))});
+      way.push_back(
+          {std::max(now + impairment_.delay, behind) + kByte * length, std::string(bytes.substr(0, length))});
     bytes.remove_prefix(length);
   }
 }

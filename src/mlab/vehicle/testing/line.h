@@ -14,9 +14,9 @@
 
 namespace mlab::vehicle {
 
-/// A serial line of 57,600 bit/s on the clock of a test. Pieces of 1 to 64 bytes of what is said over it are lost, and all that
-/// arrives arrives later; it can be cut, and be opened again half a second after it was mended. What was under
-/// way when it was cut is lost.
+/// A serial line of 57,600 bit/s on the clock of a test. Pieces of 1 to 64 bytes of what is said over it are
+/// lost, and all that arrives arrives later; it can be cut, and be opened again half a second after it was
+/// mended. What was under way when it was cut is lost.
 class TestLine {
  public:
   explicit TestLine(std::uint64_t seed) : random_(seed) {}

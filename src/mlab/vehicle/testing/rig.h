@@ -32,13 +32,13 @@ struct Impairment {
   std::chrono::milliseconds delay{0};  ///< of all that arrives
 };
 
-/// What the suite has to know of a kind of device to try it. The numbers are promises to its users: they stand
-/// on its page.
+/// What the suite has to know of a kind of device to try it. The numbers are promises to its users: they
+/// stand on its page.
 struct Facts {
-  double silent_after = 1.0;    ///< of what was said longer ago it reports nothing [s]
-  double ready_within = 5.0;    ///< once its vehicle can be reached over a line without losses [s]
-  double stops_within = 1.0;    ///< from full speed, once it is told over a line that works [s]
-  double pose_error = 0.02;     ///< of a reported place against the true one; encoders of rigs don't drift [m]
+  double silent_after = 1.0;  ///< of what was said longer ago it reports nothing [s]
+  double ready_within = 5.0;  ///< once its vehicle can be reached over a line without losses [s]
+  double stops_within = 1.0;  ///< from full speed, once it is told over a line that works [s]
+  double pose_error = 0.02;   ///< of a reported place against the true one; encoders of rigs don't drift [m]
   double heading_error = 0.02;  ///< [rad]
   double speed_error = 0.02;    ///< [m/s]
   double turn_error = 0.05;     ///< [rad/s]
@@ -66,8 +66,8 @@ class Rig {
   virtual Device& device() = 0;
   /// Destroys the device; `device` is not called any more.
   virtual void drop_device() = 0;
-  /// Lets some time go by for the vehicle and the line, at most 50 ms: on a clock of its own where vehicle and
-  /// line have none, so that hours take seconds.
+  /// Lets some time go by for the vehicle and the line, at most 50 ms: on a clock of its own where vehicle
+  /// and line have none, so that hours take seconds.
   /// @return  the time after it
   virtual Clock::time_point step() = 0;
   /// As it is at the time that `step` returned last.
@@ -75,7 +75,8 @@ class Rig {
   virtual void impair(const Impairment& impairment) = 0;
   virtual void cut(Cut how) = 0;
   virtual void mend() = 0;
-  /// What is said waits in the line, either way, until `release` lets all of it go, not faster than a line can.
+  /// What is said waits in the line, either way, until `release` lets all of it go, not faster than a line
+  /// can.
   virtual void hold_back() = 0;
   virtual void release() = 0;
 };

@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 
 constexpr auto kSilentAfter = milliseconds(1000);
 constexpr auto kGivenUpAfter = milliseconds(5000);
-constexpr auto kHolds = milliseconds(800);      // a command, from when it was given
+constexpr auto kHolds = milliseconds(800);  // a command, from when it was given
 constexpr auto kToldEvery = milliseconds(100);
 constexpr int kMostReads = 8;
 constexpr double kStandstill = 2.0;  // what holds for 0.8 s, then 0.5 m/s at 0.5 m/s^2, and a bit [s]
@@ -50,7 +50,6 @@ class TextRover final : public Device {
   const std::string& name() const override { return name_; }
   const Limits& limits() const override { return limits_; }
 
-  // [[work]]
   void work(Clock::time_point now) override {
     worked_at_ = now;
     for (int i = 0; i < kMostReads; ++i) {
@@ -69,11 +68,11 @@ class TextRover final : public Device {
     }
     if (is_stopping_ && now - told_at_ >= kToldEvery) say("S", now);
   }
-  // [[end]]
 
-  // [[report]]
   const Report& report(Clock::time_point now) override {
-    const auto is_fresh = [&](const auto& told) { return told.has_value() && now - told->at <= kSilentAfter; };
+    const auto is_fresh = [&](const auto& told) {
+      return told.has_value() && now - told->at <= kSilentAfter;
+    };
     report_ = {};
     if (!stream_->is_open()) {
       report_.why = stream_->why();
@@ -90,9 +89,7 @@ class TextRover final : public Device {
     report_.readiness = Readiness::kReady;
     return report_;
   }
-  // [[end]]
 
-  // [[drive]]
   void drive(const Command& command, Clock::time_point now) override {
     is_stopping_ = false;
     if (report(now).readiness != Readiness::kReady) return;
@@ -108,10 +105,8 @@ class TextRover final : public Device {
     told_ = {};
     say("S", now);
   }
-  // [[end]]
 
  private:
-  // [[take]]
   void take(const Words& words, Clock::time_point now) {
     const std::vector<double>& n = words.numbers;
     const bool is_finite = std::ranges::all_of(n, [](double number) { return std::isfinite(number); });
@@ -135,7 +130,6 @@ class TextRover final : public Device {
       scan_ = scan_of(std::span(n).subspan(1), at);
     }
   }
-  // [[end]]
 
   static Scan scan_of(std::span<const double> distances, Clock::time_point at) {
     Scan scan;
