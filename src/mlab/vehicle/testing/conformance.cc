@@ -106,10 +106,11 @@ bool Conformance::is_at(const Moment& moment, const Motion& motion) const {
 
 bool Conformance::was_so(const Motion& motion) const {
   const double early = rig_->facts().stamp_error + seconds(impairment_.delay);
-  return std::ranges::any_of(past_, [&](const Moment& moment) {
-    const double before = seconds(motion.at - moment.at);
-    return before <= early && before >= -kPeriod && is_at(moment, motion);
-  });
+  auto moment = std::ranges::lower_bound(past_, motion.at - duration_of(early), {}, &Moment::at);
+  for (; moment != past_.end() && moment->at <= motion.at + duration_of(kPeriod); ++moment) {
+    if (is_at(*moment, motion)) return true;
+  }
+  return false;
 }
 
 void Conformance::check_motion(const Motion& motion, bool is_global) {
