@@ -5,8 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
-
 #include "mlab/base/angle.h"
 #include "mlab/model_vehicles/mrv2_model.h"
 #include "mlab/model_vehicles/program.h"

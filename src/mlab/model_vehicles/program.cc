@@ -8,8 +8,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
-
 #include "mlab/base/angle.h"
 #include "mlab/lang/odl/odl.h"
 #include "mlab/model_vehicles/pseudo_terminal.h"

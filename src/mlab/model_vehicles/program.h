@@ -4,13 +4,11 @@
 #include <memory>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "mlab/geom/pose.h"
 #include "mlab/model_vehicles/model_vehicle.h"
 #include "mlab/overlay/overlay.h"
-
-namespace CLI {
-class App;
-}
 
 namespace mlab::model_vehicles {
 

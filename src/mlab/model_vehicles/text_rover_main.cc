@@ -4,8 +4,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
-
 #include "mlab/model_vehicles/program.h"
 #include "mlab/model_vehicles/text_rover_model.h"
 

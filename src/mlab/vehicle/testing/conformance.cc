@@ -163,6 +163,10 @@ void Conformance::check_report() {
     EXPECT_GE(report.battery->share, 0.0);
     EXPECT_LE(report.battery->share, 1.0);
   }
+  check_silence(report);
+}
+
+void Conformance::check_silence(const Report& report) const {
   const double cut_for = cut_at_.has_value() ? seconds(now_ - *cut_at_ - impairment_.delay) : 0.0;
   if (cut_for <= rig_->facts().silent_after + kPeriod) return;
   EXPECT_TRUE(report.readiness == Readiness::kSilent || report.readiness == Readiness::kAbsent);

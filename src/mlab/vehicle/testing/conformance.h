@@ -61,6 +61,8 @@ class Conformance : public testing::TestWithParam<RigKind> {
   void step();
   void check_limits() const;
   void check_report();
+  /// Nothing is told of a vehicle that nothing has come from for too long.
+  void check_silence(const Report& report) const;
   void check_motion(const Motion& motion, bool is_global);
   void check_stamp(const std::string& what, Clock::time_point at) const;
   void check_scan(const Scan& scan) const;

@@ -77,7 +77,7 @@ void TestLine::release(Clock::time_point now) {
   }
 }
 
-std::string TestLine::take(Way& way, Clock::time_point now) {
+std::string TestLine::take(Way& way, Clock::time_point now) const {
   std::string taken;
   while (!is_held_back_ && !way.empty() && way.front().arrives <= now && taken.size() < kLongestRead) {
     taken += way.front().bytes;

@@ -44,7 +44,7 @@ class TestLine {
   };
   using Way = std::deque<Piece>;
   void put(Way& way, std::string_view bytes, Clock::time_point now);
-  std::string take(Way& way, Clock::time_point now);
+  std::string take(Way& way, Clock::time_point now) const;
 
   base::Random random_;
   Impairment impairment_;
