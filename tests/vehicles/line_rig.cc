@@ -34,7 +34,7 @@ Truth LineRig::truth() const {
 
 void LineRig::cut(Cut how) {
   line_.cut(how);
-  is_off_ = how == Cut::kPowerOff;
+  is_off_ = how == Cut::kPowerOff || how == Cut::kRestart;
   if (is_off_) vehicle_->restart();
 }
 

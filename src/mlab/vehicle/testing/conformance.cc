@@ -113,10 +113,21 @@ bool Conformance::was_so(const Motion& motion) const {
   return false;
 }
 
+bool Conformance::has_stood_since(Clock::time_point then) const {
+  const auto moment = std::ranges::lower_bound(past_, then - duration_of(kPeriod), {}, &Moment::at);
+  return stands() && moment != past_.end() && moment->truth.pose == past_.back().truth.pose;
+}
+
 void Conformance::check_motion(const Motion& motion, bool is_global) {
   if (is_global) origin_ = geom::Pose{};
-  if (!origin_.has_value()) origin_ = origin_of(past_.back().truth.pose, motion.pose);
+  if (restarted_at_.has_value() && motion.at > *restarted_at_) {
+    origin_.reset();
+    restarted_at_.reset();
+  }
   const Truth& truth = past_.back().truth;
+  // Only of one that stands is it known exactly where it was at the time of the stamp.
+  if (!origin_.has_value() && has_stood_since(motion.at)) origin_ = origin_of(truth.pose, motion.pose);
+  if (!origin_.has_value()) return;
   EXPECT_TRUE(was_so(motion)) << "reported: " << motion.pose.position.x << ' ' << motion.pose.position.y
                               << ' ' << motion.pose.heading << " at " << motion.speed << " m/s "
                               << motion.turn_rate << " rad/s, " << seconds(now_ - motion.at)
@@ -200,8 +211,7 @@ void Conformance::get_moving(const Command& command) {
 void Conformance::cut(Cut how) {
   rig_->cut(how);
   cut_at_ = now_;
-  // Where its odometry begins when it is switched on is seen when it is heard the first time after it.
-  if (how == Cut::kPowerOff) origin_.reset();
+  if (how == Cut::kPowerOff || how == Cut::kRestart) restarted_at_ = now_;
 }
 
 void Conformance::mend() {
@@ -360,7 +370,7 @@ TEST_P(Conformance, ReportsWhatIsSo) {
 }
 
 TEST_P(Conformance, SaysNothingOldWhenItsVehicleIsSilent) {
-  for (const Cut how : {Cut::kSilence, Cut::kHangUp, Cut::kPowerOff}) {
+  for (const Cut how : {Cut::kSilence, Cut::kHangUp, Cut::kPowerOff, Cut::kRestart}) {
     wait_until_ready();
     get_moving(full_ahead());
     cut(how);

@@ -68,14 +68,17 @@ class Conformance : public testing::TestWithParam<RigKind> {
   void check_scan(const Scan& scan) const;
   /// Whether the vehicle once was where this says, in the time that the stamp means.
   bool was_so(const Motion& motion) const;
+  bool has_stood_since(Clock::time_point then) const;
   bool is_at(const Moment& moment, const Motion& motion) const;
 
   std::uint64_t seed_;
   Device* device_ = nullptr;
   Limits limits_;
   std::deque<Moment> past_;
-  /// Where the origin of its odometry is; nothing: it was switched on and has not been heard since.
+  /// Where the origin of its odometry is; nothing: it was switched on and has not told since where it stands.
   std::optional<geom::Pose> origin_;
+  /// It was switched off; what it says from then on counts from somewhere else.
+  std::optional<Clock::time_point> restarted_at_;
   std::optional<Clock::time_point> cut_at_;
   Impairment impairment_;
   Clock::time_point driven_at_;

@@ -87,7 +87,7 @@ std::string TestLine::take(Way& way, Clock::time_point now) const {
 }
 
 void TestLine::cut(Cut how) {
-  state_ = how == Cut::kSilence ? State::kSilent : State::kGone;
+  state_ = how == Cut::kSilence || how == Cut::kRestart ? State::kSilent : State::kGone;
   to_vehicle_.clear();
   to_device_.clear();
 }

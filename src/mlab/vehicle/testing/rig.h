@@ -23,8 +23,9 @@ enum class Cut : std::uint8_t {
   kSilence,   ///< all that is said is lost, either way, and nobody is told
   kHangUp,    ///< the device can't be opened any more: its plug was pulled
   kPowerOff,  ///< the same, and the vehicle is switched off; with the line it is switched on again
+  kRestart,   ///< it is switched off and on, but the device can be opened: an adapter has power of its own
 };
-inline constexpr Cut kLastCut = Cut::kPowerOff;
+inline constexpr Cut kLastCut = Cut::kRestart;
 
 /// What a line does to what is said over it, either way.
 struct Impairment {
