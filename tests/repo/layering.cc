@@ -38,6 +38,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"vehicle/simulated", {"vehicle", "sim"}},
     {"vehicles", {"agents", "vehicle"}},
     {"mavlink", {"vehicle", "text"}},
+    {"model_vehicles", {"vehicle", "lang/odl"}},
     {"sim", {"binding"}},
     {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},
@@ -81,6 +82,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
 /// What the sources of a module use besides, and keep to themselves: neither its headers nor who stands above
 /// it know of it.
 const std::map<std::string, Modules, std::less<>> kKept = {
+    {"model_vehicles", {"sim"}},
     {"simulated", {"sim"}},
     {"training", {"sim"}},
 };

@@ -110,6 +110,8 @@ std::string words_of(const wire::HistoryInput& input) {
       return words_of(input.intervention());
     case wire::HistoryInput::kStandsStill:
       return input.stands_still() ? "time stands still for the operator" : "time passes without the operator";
+    case wire::HistoryInput::kHeard:
+      return fmt::format("the vehicle `{}` says how it is", text::shown(input.heard().vehicle(), 64));
     case wire::HistoryInput::BODY_NOT_SET:
       break;
   }
