@@ -21,7 +21,8 @@ void add_robot(CLI::App& app, RobotOptions& o) {
                 "of this vehicle in the fleet, which NEW-ROBOT names as host (default: the machine's)")
       ->check(refuse_unless_name)
       ->type_name("NAME");
-  c->add_option("--device", o.device, "where the vehicle is connected")
+  c->add_option("--device", o.device, "where the vehicle is connected: serial:/dev/ttyUSB0:57600, tcp:HOST:PORT, udp:PORT, "
+                "udp:HOST:PORT")
       ->check(refuse_if_empty)
       ->type_name("ADDRESS");
   c->add_option("--world", o.world, "simulated: overlay of what stands around it; none: nothing does")
@@ -44,10 +45,10 @@ void add_robot(CLI::App& app, RobotOptions& o) {
   c->add_option("--radius", o.radius, "mavlink: of the disc that the vehicle takes up [m]")
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("METRES");
-  c->add_option("--max-speed", o.max_speed, "mavlink: it is never told to go faster [m/s]")
+  c->add_option("--max-speed", o.max_speed, "it is never told to go faster; not of simulated ones [m/s]")
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("SPEED");
-  c->add_option("--max-turn-rate", o.max_turn_rate, "mavlink: it is never told to turn faster [deg/s]")
+  c->add_option("--max-turn-rate", o.max_turn_rate, "it is never told to turn faster; likewise [deg/s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->type_name("RATE");
   add_network(c, o.network);

@@ -12,8 +12,10 @@
 #include "mlab/mavlink/rover_device.h"
 #include "mlab/mavlink/signing.h"
 #include "mlab/text/diagnostic.h"
+#include "mlab/vehicle/mrv2/mrv2.h"
 #include "mlab/vehicle/simulated/simulated_device.h"
 #include "mlab/vehicle/stream.h"
+#include "mlab/vehicle/text_rover/text_rover.h"
 
 namespace mlab::cli {
 namespace {
@@ -43,10 +45,15 @@ vehicle::Limits limits_of(const RobotOptions& options, vehicle::Limits out) {
   return out;
 }
 
+// Empty: all is well.
+std::string lack_of_device(const RobotOptions& options) {
+  return options.device.empty()
+             ? fmt::format("--binding {} needs --device: where the vehicle is connected", options.binding)
+             : "";
+}
+
 std::expected<std::unique_ptr<vehicle::Stream>, std::string> stream_to(const RobotOptions& options) {
-  if (options.device.empty())
-    return std::unexpected(fmt::format("--binding {} needs --device: where the vehicle is connected",
-                                       options.binding));
+  if (std::string lack = lack_of_device(options); !lack.empty()) return std::unexpected(std::move(lack));
   const auto address = vehicle::parse_address(options.device);
   if (!address) return std::unexpected(fmt::format("--device {}: {}", options.device, address.error().message));
   return vehicle::make_stream(*address);
@@ -69,6 +76,22 @@ Made make_mavlink(const RobotOptions& options) {
   return std::make_shared<mavlink::RoverDevice>(std::move(*stream), settings);
 }
 
+Made make_mrv2(const RobotOptions& options) {
+  if (std::string lack = lack_of_device(options); !lack.empty()) return std::unexpected(std::move(lack));
+  vehicle::Mrv2Settings settings;
+  settings.max_speed = options.max_speed.value_or(settings.max_speed);
+  if (options.max_turn_rate) settings.max_turn_rate = base::radians(*options.max_turn_rate);
+  return vehicle::make_mrv2(options.device, settings);
+}
+
+Made make_text_rover(const RobotOptions& options) {
+  if (std::string lack = lack_of_device(options); !lack.empty()) return std::unexpected(std::move(lack));
+  vehicle::TextRoverSettings settings;
+  settings.max_speed = options.max_speed.value_or(settings.max_speed);
+  if (options.max_turn_rate) settings.max_turn_rate = base::radians(*options.max_turn_rate);
+  return vehicle::make_text_rover(options.device, settings);
+}
+
 /// A kind of vehicle.
 struct Kind {
   std::string_view name;
@@ -83,6 +106,11 @@ constexpr std::array kKinds = {
          "a rover under ArduPilot (--device, --key-file, --origin, --radius, --max-speed, --max-turn-rate); "
          "docs/mavlink.md",
          make_mavlink},
+    Kind{"mrv2", "a Denning MRV-2 (--device, --max-speed, --max-turn-rate); docs/vehicles_mrv2.md", make_mrv2},
+    Kind{"text-rover",
+         "a rover that is spoken with in lines of text, the example of docs/adding_a_vehicle.md (--device, "
+         "--max-speed, --max-turn-rate)",
+         make_text_rover},
 };
 
 }  // namespace

@@ -92,6 +92,7 @@ std::expected<binding::Placement, std::string> Bodies::embody(const binding::Bod
   if (!placement) return placement;
   state.body = placement->body;
   state.unready_since.reset();
+  ++state.engagement;
   by_body_.resize(std::max<std::size_t>(by_body_.size(), state.body.value + std::size_t{1}));
   by_body_[state.body.value] = vehicle;
   put(state);
@@ -268,6 +269,7 @@ void Bodies::command(Vehicle& vehicle, const percept::Action& action, double dt)
   out.set_spins(action.spins);
   out.set_spin(action.spin);
   out.set_period(dt);
+  out.set_engagement(vehicle.now.engagement);
   vehicle.now.is_to_drive = action.drives;
   if (vehicle.crewed.line) vehicle.crewed.line->tell(out);
 }

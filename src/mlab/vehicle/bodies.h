@@ -82,6 +82,7 @@ class Bodies final : public binding::Binding, private binding::WorldView {
     std::vector<percept::RangeReading> ranges;
     double range_limit = 0.0;
     std::uint64_t told = 0;                          // commands
+    std::uint32_t engagement = 0;                    // how often a robot got it as its body
     std::optional<Clock::time_point> unready_since;  // though it was to drive
     bool is_to_drive = false;
   };

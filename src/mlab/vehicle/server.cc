@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kPartingPatience = 5.0;  // in which it is told to stop once no run drives it any more [s]
 
-
 percept::Action action_of(const wire::VehicleCommand& command) {
   percept::Action out;
   out.drives = command.drives();
@@ -38,13 +37,16 @@ void Server::hear(const std::string& sender, const std::string& body, Clock::tim
     driver_ = sender;
     carried_out_ = 0;
     newest_.Clear();
+    was_ready_ = is_taken_ = false;
   }
   heard_ = now;
   if (command.leaves()) {
     session_ = 0;
     return;
   }
-  if (command.number() > newest_.number()) newest_ = std::move(command);
+  if (command.number() <= newest_.number()) return;
+  if (command.engagement() != newest_.engagement()) was_ready_ = is_taken_ = false;
+  newest_ = std::move(command);
 }
 
 void Server::lose(const std::string& sender) {
@@ -60,6 +62,7 @@ double Server::age_of(std::uint64_t report, Clock::time_point now) const {
 void Server::stand(std::string why, Clock::time_point now) {
   standing_ = std::move(why);
   command_ = {};
+  was_ready_ = false;  // it may not be ready because of this
   device_.stop(now);
 }
 
@@ -73,16 +76,23 @@ void Server::work(Clock::time_point now) {
     if (driven_ && seconds_between(*driven_, now) <= kPartingPatience) stand("no run drives it", now);
     return;
   }
+  const Readiness readiness = device_.report(now).readiness;
+  if (readiness == Readiness::kNotReady && was_ready_) is_taken_ = true;
+  if (is_taken_) {
+    standing_ = "somebody else has taken it";
+    return;
+  }
   if (age_of(newest_.answers(), now) > kCommandPatience)
     return stand("what its run tells it is too old", now);
   // Nobody wants it to move: it is not made ready for that either.
-  if (!newest_.drives() && device_.report(now).readiness != Readiness::kReady)
+  if (!newest_.drives() && readiness != Readiness::kReady)
     return stand("its robot does not drive", now);
   if (newest_.number() != carried_out_) {
     command_ = command_for(device_.limits(), action_of(newest_), command_, newest_.period());
     carried_out_ = newest_.number();
   }
   standing_.clear();
+  was_ready_ = readiness == Readiness::kReady;
   device_.drive(command_, now);
 }
 

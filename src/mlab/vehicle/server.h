@@ -17,7 +17,9 @@ inline constexpr double kCommandPatience = 0.5;
 inline constexpr double kSessionPatience = 2.0;
 
 /// The side of a vehicle's process: lets one run at a time drive a device, as long as its commands are live.
-/// It knows nothing of what carries messages, nor what time it is.
+/// A vehicle that is not ready any more though it was driven, and was heard all the time, has been taken by
+/// somebody (a pilot, its own failsafe): it is left to him, but for the emergency stop, until a robot gets it
+/// as its body anew. It knows nothing of what carries messages, nor what time it is.
 class Server {
  public:
   /// @param device      outlives this
@@ -56,6 +58,8 @@ class Server {
   std::uint64_t carried_out_ = 0;     // number of its last one that was
   Command command_;          // that was made of it
   std::string standing_;
+  bool was_ready_ = false;  // when it was driven last, and was not told to stop since
+  bool is_taken_ = false;   // somebody else has taken it since; it is left to him
   std::optional<Clock::time_point> driven_;  // last
   wire::VehicleReport message_;
 };

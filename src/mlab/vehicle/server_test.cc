@@ -166,6 +166,40 @@ TEST_F(ServerTest, IsNotMadeReadyByARobotThatStands) {
   EXPECT_EQ(server_.standing(), "its robot does not drive");
 }
 
+TEST_F(ServerTest, LeavesAVehicleToWhoTookIt) {
+  const auto go = [&] {
+    hear(command(report()));
+    return speed_after(milliseconds(20));
+  };
+  EXPECT_EQ(go(), 1.0);
+  device_.report_.readiness = Readiness::kNotReady;  // a pilot has changed its mode
+  device_.command_ = {0.3, 0.0};                     // and drives
+  EXPECT_EQ(go(), 0.3);
+  EXPECT_EQ(server_.standing(), "somebody else has taken it");
+  EXPECT_EQ(speed_after(milliseconds(700)), 0.3) << "it is not stopped either";
+  is_stopped_ = true;
+  EXPECT_EQ(go(), 0.0) << "but by the emergency stop";
+  is_stopped_ = false;
+  device_.command_ = {0.3, 0.0};
+  EXPECT_EQ(go(), 0.3);
+  // A person has the robot take it again.
+  wire::VehicleCommand anew = command(report());
+  anew.set_engagement(1);
+  hear(anew);
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+}
+
+TEST_F(ServerTest, GoesOnWithAVehicleThatWasSilent) {
+  const auto go = [&](Readiness readiness) {
+    device_.report_.readiness = readiness;
+    hear(command(report()));
+    return speed_after(milliseconds(20));
+  };
+  EXPECT_EQ(go(Readiness::kReady), 1.0);
+  go(Readiness::kSilent);
+  EXPECT_EQ(go(Readiness::kNotReady), 1.0) << "it is driven, which may make it ready";
+}
+
 TEST_F(ServerTest, ReadsNothingOutOfNonsense) {
   server_.hear("run", "no message", now_);
   wire::VehicleCommand command = this->command(report());
