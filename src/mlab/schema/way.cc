@@ -161,9 +161,8 @@ geom::Point way_point_of(std::span<const geom::Point> way, double length, double
   return route_point(way, at);
 }
 
-}  // namespace
-
-PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
+/// As plan_way, but for the way's length.
+PlannedWay find_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
                     double margin) {
   PlannedWay out;
   if (ground.revision == 0 || !is_finite(from) || !is_finite(goal)) {
@@ -194,7 +193,8 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
   return out;
 }
 
-PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
+/// As plan_route, but for the way's length.
+PlannedWay find_route(const percept::KnownGround& ground, geom::Point from,
                       std::span<const geom::Point> corners, double radius, double margin) {
   PlannedWay out;
   out.clearance = radius + margin;
@@ -202,7 +202,7 @@ PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
   geom::Point here = from;
   for (const geom::Point& corner : corners) {
     const bool is_last = &corner == &corners.back();
-    const PlannedWay leg = plan_way(ground, here, corner, radius, margin);
+    const PlannedWay leg = find_way(ground, here, corner, radius, margin);
     if (!is_last && (leg.end == WayEnd::kClosedOff || leg.end == WayEnd::kNowhere)) continue;
     for (const geom::Point point : leg.points()) add(out, point);
     if (leg.count > 0) {
@@ -218,9 +218,25 @@ PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
   return out;
 }
 
+}  // namespace
+
+PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
+                    double margin) {
+  PlannedWay out = find_way(ground, from, goal, radius, margin);
+  out.length = route_length(out.points());
+  return out;
+}
+
+PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
+                      std::span<const geom::Point> corners, double radius, double margin) {
+  PlannedWay out = find_route(ground, from, corners, radius, margin);
+  out.length = route_length(out.points());
+  return out;
+}
+
 std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geom::Point> corners) {
   const auto points = way.points();
-  const double length = route_length(points);
+  const double length = way_length(way);
   double before = 0.0;
   std::size_t passed = 0;
   while (passed + 1 < corners.size()) {
@@ -235,12 +251,12 @@ bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const Pla
               geom::Point from, double stray, bool is_body) {
   if (!is_same_ground && (way.end == WayEnd::kClosedOff || !is_open(ground, way))) return false;
   const auto points = way.points();
-  const double length = route_length(points);
+  const double length = way_length(way);
   const double at = nearest_way(points, from, 0.0, length);
   const double off = distance(route_point(points, at), from);
   if (off > stray || (way.end == WayEnd::kFull && at >= 0.7 * length)) return false;
   if (!is_body || off <= way.clearance) return true;
-  const geom::Segment ahead{from, carrot_on(way, from, at, kLookahead)};
+  const geom::Segment ahead{from, carrot_on(way, from, at, off, kLookahead)};
   return std::ranges::none_of(ground.walls,
                               [&](const geom::Segment& wall) { return intersects(ahead, wall); }) &&
          std::ranges::none_of(ground.discs, [&](const ways::Round& disc) {
@@ -317,7 +333,7 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
   constexpr double kHalf = 10.0;  // of the piece of the way that says where it leads [m]
   const auto points = way.points();
   if (points.empty()) return {here, at};
-  const double length = route_length(points);
+  const double length = way_length(way);
   // Where it goes on all go to its end, and see from there.
   const double end = way.end == WayEnd::kFull ? length : length + station.x;
   const auto is_apart = [&](geom::Point a, geom::Point b) {
@@ -366,11 +382,11 @@ std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, 
   return count;
 }
 
-geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double lookahead) {
+geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double off, double lookahead) {
   const auto points = way.points();
-  const double length = route_length(points);
+  const double length = way_length(way);
   // So much nearer than the clearance one may come to what the way leads round.
-  const double cut = std::clamp(0.2 * way.clearance, 0.05, 0.5) + distance(route_point(points, at), here);
+  const double cut = std::clamp(0.2 * way.clearance, 0.05, 0.5) + off;
   for (double ahead = lookahead;; ahead *= 0.5) {
     const double there = std::min(at + ahead, length);
     const geom::Point carrot = route_point(points, there);
@@ -385,9 +401,8 @@ geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double
   }
 }
 
-double way_progress(std::span<const geom::Point> way, geom::Point p, double from, double to) {
+double way_progress(std::span<const geom::Point> way, double length, geom::Point p, double from, double to) {
   if (way.size() < 2) return 0.0;
-  const double length = route_length(way);
   const double at = nearest_way(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
   if (at <= 0.0) return std::min(std::max(dot(p - way.front(), begin_direction(way)), from), 0.0);
   if (at >= length) {

@@ -8,6 +8,7 @@
 
 #include "mlab/geom/pose.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/schema/route.h"
 #include "mlab/ways/planned_way.h"
 
 namespace mlab::schema {
@@ -83,6 +84,10 @@ struct PlaceAhead {
 PlaceAhead place_on_way(const percept::KnownGround& ground, const ways::PlannedWay& way, geom::Vector station,
                         const std::function<double()>& in_file, double at, geom::Point here, double away);
 
+/// Of its pieces together [m].
+inline double way_length(const ways::PlannedWay& way) {
+  return way.length >= 0.0 ? way.length : route_length(way.points());
+}
 /// As route_point, with a way that goes straight on at both ends.
 geom::Point way_point(std::span<const geom::Point> way, double at);
 /// How many of the unit are nearer to the way's end than the robot, of those in sight.
@@ -103,10 +108,12 @@ std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, 
 
 /// Where to head for from beside a way, so that what one cuts off of its turns stays small.
 /// @param at         how far along the way one is [m]
+/// @param off        how far that is from where one is [m]
 /// @param lookahead  the place is at most so much farther [m]
-geom::Point carrot_on(const ways::PlannedWay& way, geom::Point here, double at, double lookahead);
+geom::Point carrot_on(const ways::PlannedWay& way, geom::Point here, double at, double off, double lookahead);
 /// As nearest_way, on a way that goes straight on at both ends: less than 0 behind its beginning, more than
 /// its length beyond its end [m].
-double way_progress(std::span<const geom::Point> way, geom::Point p, double from, double to);
+/// @param length  of the way [m]
+double way_progress(std::span<const geom::Point> way, double length, geom::Point p, double from, double to);
 
 }  // namespace mlab::schema

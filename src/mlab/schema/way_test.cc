@@ -151,9 +151,9 @@ TEST(PlaceOnWay, IsNeverBehindTheWallsOfACorner) {
 
 TEST(WayProgress, GoesOnBeyondTheEnds) {
   const std::vector<Point> way = {{0.0, 0.0}, {50.0, 0.0}, {50.0, 50.0}};
-  EXPECT_DOUBLE_EQ(way_progress(way, {-4.0, 1.0}, -50.0, 150.0), -4.0);
-  EXPECT_DOUBLE_EQ(way_progress(way, {4.0, 1.0}, -50.0, 150.0), 4.0);
-  EXPECT_DOUBLE_EQ(way_progress(way, {51.0, 53.0}, -50.0, 150.0), 103.0);
+  EXPECT_DOUBLE_EQ(way_progress(way, route_length(way), {-4.0, 1.0}, -50.0, 150.0), -4.0);
+  EXPECT_DOUBLE_EQ(way_progress(way, route_length(way), {4.0, 1.0}, -50.0, 150.0), 4.0);
+  EXPECT_DOUBLE_EQ(way_progress(way, route_length(way), {51.0, 53.0}, -50.0, 150.0), 103.0);
   EXPECT_EQ(way_point(way, -4.0), (Point{-4.0, 0.0}));
   EXPECT_EQ(way_point(way, 103.0), (Point{50.0, 53.0}));
 }
