@@ -138,9 +138,10 @@ void ProgramBuilder::place_values() {
   const std::vector<std::uint32_t> ops = order_of_cycle();
   for (const bool is_large : {false, true}) {
     const auto place = [&](std::uint32_t& offset, std::uint32_t size, std::uint32_t alignment) {
-      constexpr std::uint32_t kLarge = 2 * Frame::kAlignment;
+      constexpr std::uint32_t kLarge = 8 * Frame::kAlignment;
       if ((size >= kLarge) != is_large) return;
       offset = allocate(size, is_large ? static_cast<std::uint32_t>(Frame::kAlignment) : alignment);
+      if (is_large) program_->large_.push_back(offset);
     };
     for (const std::uint32_t i : ops) {
       Op& op = ops_[i];
