@@ -347,7 +347,8 @@ class Program {
   std::vector<NodeWires> wires_;
   std::size_t node_count_ = 0;
   Frame initial_;
-  std::vector<KeptCode> kept_;  ///< for `carry_over` only
+  std::vector<KeptCode> kept_;        ///< for `carry_over` only
+  std::vector<std::uint32_t> large_;  ///< offsets of values that stand behind all others
 };
 
 /// The same program with other values before the first cycle.

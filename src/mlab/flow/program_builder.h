@@ -134,7 +134,9 @@ class ProgramBuilder {
   std::uint32_t allocate(std::size_t size, std::size_t alignment);
   std::uint32_t offset_of(const Ref& ref) const;
   std::uint32_t canonical(std::uint32_t op) const;
-  std::vector<std::uint32_t> order(const std::vector<std::uint32_t>& roots);
+  std::vector<std::uint32_t> roots() const;
+  std::vector<std::uint32_t> order(const std::vector<std::uint32_t>& roots, bool with_members = false);
+  std::vector<std::uint32_t> order_of_cycle();
   Program::Block emit(const std::vector<std::uint32_t>& roots);
   Program::Instruction emit_op(std::uint32_t i);
   std::vector<std::uint32_t> take_what_waits(const std::vector<std::uint32_t>& ops);
@@ -146,6 +148,7 @@ class ProgramBuilder {
   std::uint32_t emit_inputs(const Op& op);
   void emit_needs(const std::vector<std::uint32_t>& ops, Program::Block& block);
   Program::NeedCode need_of(const Op& op, const Need& need) const;
+  bool has_own_stamp(const Op& op) const;
   void assign_stamps();
   bool is_mixture(const Op& op) const;
   void emit_mixtures();

@@ -53,8 +53,9 @@ std::uint32_t ProgramBuilder::offset_of(const Ref& ref) const {
 }
 
 // All operations that the roots need, each after its own sources. What only a state or a case needs is left
-// out: it has a block of its own. Iterative, because a chain may be ten thousand nodes long.
-std::vector<std::uint32_t> ProgramBuilder::order(const std::vector<std::uint32_t>& roots) {
+// out, unless asked for: it has a block of its own. Iterative, because a chain may be ten thousand nodes
+// long.
+std::vector<std::uint32_t> ProgramBuilder::order(const std::vector<std::uint32_t>& roots, bool with_members) {
   visited_.resize(ops_.size(), 0);
   ++block_number_;
   std::vector<std::uint32_t> out;
@@ -76,6 +77,14 @@ std::vector<std::uint32_t> ProgramBuilder::order(const std::vector<std::uint32_t
       for (const Ref& ref : input) add(ref);
     }
     add(ops_[op].selector);
+    for (const StateRefs& state : ops_[op].states) {
+      if (!with_members) break;
+      for (const Ref& trigger : state.triggers) add(trigger);
+      add(state.member);
+    }
+    for (const Ref& member : ops_[op].cases) {
+      if (with_members) add(member);
+    }
     // What a delay keeps for the next cycle has to be evaluated in this one, but not before it.
     if (ops_[op].value.kind == Ref::Kind::kOp) waiting.insert(waiting.begin(), ops_[op].value.index);
     path.push_back(std::move(visit));
@@ -99,12 +108,7 @@ std::vector<std::uint32_t> ProgramBuilder::order(const std::vector<std::uint32_t
 
 void ProgramBuilder::lay_out() {
   place_values();
-  std::vector<std::uint32_t> roots;
-  for (std::uint32_t i = 0; i < ops_.size(); ++i) {
-    const bool is_sink = ops_[i].behavior != nullptr && ops_[i].type == nullptr;
-    if (is_sink || (ops_[i].node != nullptr && ops_[i].node->is_public)) roots.push_back(i);
-  }
-  program_->root_ = emit(roots);
+  program_->root_ = emit(roots());
   program_->node_count_ = network_.nodes.size();
   assign_stamps();
   emit_mixtures();
@@ -122,20 +126,47 @@ void ProgramBuilder::lay_out() {
   write_initial_frame();
 }
 
+// A cycle goes through a frame from its beginning to its end, about: where robots are many each part of a
+// frame that it touches comes from afar. So what is large, of which mostly the begin is used, stands behind
+// the rest.
 void ProgramBuilder::place_values() {
   for (Slot& slot : slots_) {
     const TypeInfo& type = *program_->ports_[slot.port].type;
     slot.offset = allocate(type.size, type.alignment);
     program_->ports_[slot.port].offset = slot.offset;
   }
-  std::vector<std::uint32_t> all(ops_.size());
-  for (std::uint32_t i = 0; i < ops_.size(); ++i) all[i] = i;
-  for (const std::uint32_t i : order(all)) {
-    Op& op = ops_[i];
-    if (op.type != nullptr) op.output = allocate(op.type->size, op.type->alignment);
-    if (op.behavior != nullptr) op.state = allocate(op.behavior->state_size, op.behavior->state_alignment);
-    if (op.kind == Instruction::Kind::kStartAsync) op.fresh = allocate(1, 1);
+  const std::vector<std::uint32_t> ops = order_of_cycle();
+  for (const bool is_large : {false, true}) {
+    const auto place = [&](std::uint32_t& offset, std::uint32_t size, std::uint32_t alignment) {
+      constexpr std::uint32_t kLarge = 8 * Frame::kAlignment;
+      if ((size >= kLarge) != is_large) return;
+      offset = allocate(size, is_large ? static_cast<std::uint32_t>(Frame::kAlignment) : alignment);
+      if (is_large) program_->large_.push_back(offset);
+    };
+    for (const std::uint32_t i : ops) {
+      Op& op = ops_[i];
+      if (!is_large && has_own_stamp(op)) op.stamp = allocate(4, 4);
+      if (op.behavior != nullptr) place(op.state, op.behavior->state_size, op.behavior->state_alignment);
+      if (op.type != nullptr) place(op.output, op.type->size, op.type->alignment);
+      if (!is_large && op.kind == Instruction::Kind::kStartAsync) op.fresh = allocate(1, 1);
+    }
   }
+}
+
+// All operations about as a cycle comes to them: those of a state or a case before what chooses among them.
+std::vector<std::uint32_t> ProgramBuilder::order_of_cycle() {
+  std::vector<std::uint32_t> all = roots();
+  for (std::uint32_t i = 0; i < ops_.size(); ++i) all.push_back(i);
+  return order(all, true);
+}
+
+std::vector<std::uint32_t> ProgramBuilder::roots() const {
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t i = 0; i < ops_.size(); ++i) {
+    const bool is_sink = ops_[i].behavior != nullptr && ops_[i].type == nullptr;
+    if (is_sink || (ops_[i].node != nullptr && ops_[i].node->is_public)) out.push_back(i);
+  }
+  return out;
 }
 
 void ProgramBuilder::list_kept() {
@@ -409,16 +440,18 @@ void ProgramBuilder::emit_mixtures() {
   }
 }
 
+// It matters when it ran last, in however many blocks it stands.
+bool ProgramBuilder::has_own_stamp(const Op& op) const {
+  const bool keeps_state = op.behavior != nullptr && (op.behavior->state_size > 0 || op.behavior->has_header);
+  const bool is_operator = op.kind == Instruction::Kind::kSequence || op.kind == Instruction::Kind::kDelay ||
+                           op.kind == Instruction::Kind::kStartAsync;
+  return keeps_state || is_operator || is_mixture(op);
+}
+
 // Only now is it known which operations stand in several blocks.
 void ProgramBuilder::assign_stamps() {
   for (Op& op : ops_) {
-    const bool keeps_state =
-        op.behavior != nullptr && (op.behavior->state_size > 0 || op.behavior->has_header);
-    const bool is_operator = op.kind == Instruction::Kind::kSequence ||
-                             op.kind == Instruction::Kind::kDelay ||
-                             op.kind == Instruction::Kind::kStartAsync;
-    if (op.blocks > 0 && (op.blocks > 1 || keeps_state || is_operator || is_mixture(op)))
-      op.stamp = allocate(4, 4);
+    if (op.blocks > 1 && op.stamp == kNone) op.stamp = allocate(4, 4);
   }
   for (std::size_t i = 0; i < program_->instructions_.size(); ++i) {
     const Op& op = ops_[instruction_ops_[i]];

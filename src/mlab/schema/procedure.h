@@ -13,6 +13,7 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/base/hash.h"
+#include "mlab/base/up_to.h"
 #include "mlab/flow/behavior.h"
 #include "mlab/flow/lists.h"
 #include "mlab/flow/port_types.h"
@@ -94,6 +95,7 @@ using ways::WayEnd;
 // Perceiving and acting.
 using base::hash_text;
 using base::Random;
+using base::UpTo;
 using percept::Action;
 using percept::Audience;
 using percept::Contract;

@@ -1,10 +1,11 @@
 #include "mlab/schema/reciprocal.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+
+#include "mlab/base/up_to.h"
 
 namespace mlab::schema {
 namespace {
@@ -118,9 +119,8 @@ Offset least_lack(std::span<const HalfPlane> lines, std::size_t hard, std::size_
   double lack = 0.0;
   for (std::size_t i = std::max(failed, hard); i < lines.size(); ++i) {
     if (lines[i].lack(out) <= lack) continue;
-    std::array<HalfPlane, kMost> among;
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < hard; ++j) among[count++] = lines[j];
+    base::UpTo<HalfPlane, kMost> among;
+    for (std::size_t j = 0; j < hard; ++j) among.add(lines[j]);
     for (std::size_t j = hard; j < i; ++j) {
       HalfPlane between;
       const double slope = cross(lines[i].direction, lines[j].direction);
@@ -132,11 +132,10 @@ Offset least_lack(std::span<const HalfPlane> lines, std::size_t hard, std::size_
         between.point = lines[i].point + lines[i].direction * at;
       }
       between.direction = unit(lines[j].direction - lines[i].direction);
-      among[count++] = between;
+      among.add(between);
     }
-    const Best best =
-        best_within(std::span(among).first(count), fastest, turned_left(lines[i].direction), true);
-    if (best.met == count) out = best.velocity;
+    const Best best = best_within(among.all(), fastest, turned_left(lines[i].direction), true);
+    if (best.met == among.size()) out = best.velocity;
     lack = lines[i].lack(out);
   }
   return out;
@@ -146,22 +145,23 @@ Offset least_lack(std::span<const HalfPlane> lines, std::size_t hard, std::size_
 
 geom::Offset reciprocal_velocity(geom::Offset wanted, geom::Offset now, std::span<const Traffic> traffic,
                                  double cycle, double fastest) {
-  std::array<HalfPlane, kMost> lines;
-  std::size_t count = 0;
+  base::UpTo<HalfPlane, kMost> lines;
   std::size_t hard = 0;
   for (const Traffic& other : traffic.first(std::min(traffic.size(), kMost))) {
-    lines[count++] = half_plane(other, now, cycle);
-    if (!other.shares && !other.passes) hard = count;
+    lines.add(half_plane(other, now, cycle));
+    if (!other.shares && !other.passes) hard = lines.size();
   }
-  const auto all = std::span<const HalfPlane>(lines).first(count);
-  const Best best = best_within(all, fastest, wanted, false);
-  if (best.met == count) return best.velocity;
-  return least_lack(all, hard, best.met, fastest, best.velocity);
+  const Best best = best_within(lines.all(), fastest, wanted, false);
+  if (best.met == lines.size()) return best.velocity;
+  return least_lack(lines.all(), hard, best.met, fastest, best.velocity);
 }
 
-geom::Offset SeenRobots::velocity(base::RobotId robot, geom::Point place, double dt) const {
+geom::Offset SeenRobots::velocity(base::RobotId robot, geom::Point place, double dt,
+                                  std::size_t about) const {
   const auto seen = std::span(seen_).first(count_);
-  const auto before = std::ranges::find(seen, robot, &Seen::robot);
+  const bool is_there = about < count_ && seen[about].robot == robot;
+  const auto before = is_there ? seen.begin() + static_cast<std::ptrdiff_t>(about)
+                               : std::ranges::find(seen, robot, &Seen::robot);
   return before == seen.end() || dt <= 0.0 ? geom::Offset{} : (place - before->place) * (1.0 / dt);
 }
 

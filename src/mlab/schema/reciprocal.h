@@ -39,8 +39,9 @@ geom::Offset reciprocal_velocity(geom::Offset wanted, geom::Offset now, std::spa
 /// can be the state of a procedure.
 class SeenRobots {
  public:
-  /// @return  how fast the robot at this place is [m/s, world]; zero where it was not seen before
-  geom::Offset velocity(base::RobotId robot, geom::Point place, double dt) const;
+  /// @param about  it was the one that was added after so many others, probably
+  /// @return       how fast the robot at this place is [m/s, world]; zero where it was not seen before
+  geom::Offset velocity(base::RobotId robot, geom::Point place, double dt, std::size_t about = 0) const;
   /// What is to be known in the next cycle; those that don't fit are forgotten.
   void clear() { count_ = 0; }
   void add(base::RobotId robot, geom::Point place);
@@ -50,8 +51,8 @@ class SeenRobots {
     base::RobotId robot;
     geom::Point place;
   };
-  std::array<Seen, 16> seen_{};
   std::size_t count_ = 0;
+  std::array<Seen, 16> seen_{};
 };
 
 }  // namespace mlab::schema

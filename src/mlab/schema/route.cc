@@ -1,6 +1,7 @@
 #include "mlab/schema/route.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -26,18 +27,23 @@ geom::Point route_point(std::span<const geom::Point> route, double way) {
 
 double nearest_way(std::span<const geom::Point> route, geom::Point p, double from, double to) {
   double best = from;
-  double best_distance = std::numeric_limits<double>::infinity();
+  double best_distance2 = std::numeric_limits<double>::infinity();
+  double best_distance = best_distance2;
   double start = 0.0;
-  for (std::size_t i = 1; i < route.size(); ++i) {
+  for (std::size_t i = 1; i < route.size() && start <= to; ++i) {
     const geom::Offset along = route[i] - route[i - 1];
     const double leg = geom::length(along);
-    if (leg > 0.0 && start <= to && start + leg >= from) {
+    if (leg > 0.0 && start + leg >= from) {
       const double projected = geom::dot(p - route[i - 1], along) / leg;
       const double low = std::max(0.0, from - start);
       const double high = std::max(low, std::min(leg, to - start));  // the last digit of a sum may say less
       const double way = std::clamp(projected, low, high);
-      const double d = geom::distance(route[i - 1] + along * (way / leg), p);
+      const geom::Offset off = route[i - 1] + along * (way / leg) - p;
+      // Two squares may have one root: then the first place counts.
+      const double d2 = geom::dot(off, off);
+      const double d = d2 < best_distance2 ? std::sqrt(d2) : best_distance;
       if (d < best_distance) {
+        best_distance2 = d2;
         best_distance = d;
         best = start + way;
       }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -44,16 +46,30 @@ struct Site {
         planner(ground, clearance) {}
 
   const ways::Clearing& clearing() const { return planner.clearing(); }
+  bool is_for(const percept::KnownGround& known, double clearance) const {
+    return revision == known.revision && clearing().clearance() == clearance;
+  }
 };
 
 /// Those used last, for all robots of the process.
 class Sites {
  public:
+  /// Robots that a thread computes one after the other ask for the same few, which it holds on to.
   std::shared_ptr<Site> at(const percept::KnownGround& ground, double clearance) {
+    constexpr std::size_t kHeld = 4;
+    thread_local std::array<std::shared_ptr<Site>, kHeld> held;
+    thread_local std::size_t next = 0;
+    for (const auto& one : held) {
+      if (one && one->is_for(ground, clearance)) return one;
+    }
+    return held[next++ % kHeld] = shared(ground, clearance);
+  }
+
+ private:
+  std::shared_ptr<Site> shared(const percept::KnownGround& ground, double clearance) {
     const std::lock_guard lock(mutex_);
-    const auto found = std::ranges::find_if(sites_, [&](const auto& one) {
-      return one->revision == ground.revision && one->clearing().clearance() == clearance;
-    });
+    const auto found =
+        std::ranges::find_if(sites_, [&](const auto& one) { return one->is_for(ground, clearance); });
     if (found != sites_.end()) {
       sites_.splice(sites_.begin(), sites_, found);
     } else {
@@ -63,7 +79,6 @@ class Sites {
     return sites_.front();
   }
 
- private:
   static constexpr std::size_t kMost = 16;
   std::mutex mutex_;
   std::list<std::shared_ptr<Site>> sites_;
@@ -146,24 +161,23 @@ PlannedWay up_to_the_goal(const ways::Clearing& clearing, PlannedWay way, geom::
 
 // Where a way leads at its ends. The last metres may only lead up to a goal that something stands near to.
 constexpr double kEnd = 20.0;  // [m]
-geom::Offset begin_direction(std::span<const geom::Point> way) {
-  return unit(route_point(way, kEnd) - way.front());
+geom::Offset begin_direction(const PlannedWay& way) {
+  return unit(point_on(way, kEnd) - way.corners.front());
 }
-geom::Offset end_direction(std::span<const geom::Point> way, double length) {
-  return unit(way.back() - route_point(way, length - kEnd));
-}
-
-/// As way_point, for who knows the way's length.
-geom::Point way_point_of(std::span<const geom::Point> way, double length, double at) {
-  if (way.size() < 2) return way.empty() ? geom::Point{} : way.front();
-  if (at < 0.0) return way.front() + begin_direction(way) * at;
-  if (at > length) return way.back() + end_direction(way, length) * (at - length);
-  return route_point(way, at);
+geom::Offset end_direction(const PlannedWay& way) {
+  return unit(way.points().back() - point_on(way, way_length(way) - kEnd));
 }
 
-}  // namespace
+constexpr double kFar =
+    1e100;  // the square of what is farther is no number, and nothing is nearest to it [m]
 
-PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
+/// Most ways are one straight piece, whose length is known; nothing is rounded otherwise for that.
+bool is_straight(const PlannedWay& way) {
+  return way.count == 2 && way.length > 0.0 && way.length < kFar;
+}
+
+/// As plan_way, but for the way's length.
+PlannedWay find_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
                     double margin) {
   PlannedWay out;
   if (ground.revision == 0 || !is_finite(from) || !is_finite(goal)) {
@@ -194,7 +208,8 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
   return out;
 }
 
-PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
+/// As plan_route, but for the way's length.
+PlannedWay find_route(const percept::KnownGround& ground, geom::Point from,
                       std::span<const geom::Point> corners, double radius, double margin) {
   PlannedWay out;
   out.clearance = radius + margin;
@@ -202,7 +217,7 @@ PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
   geom::Point here = from;
   for (const geom::Point& corner : corners) {
     const bool is_last = &corner == &corners.back();
-    const PlannedWay leg = plan_way(ground, here, corner, radius, margin);
+    const PlannedWay leg = find_way(ground, here, corner, radius, margin);
     if (!is_last && (leg.end == WayEnd::kClosedOff || leg.end == WayEnd::kNowhere)) continue;
     for (const geom::Point point : leg.points()) add(out, point);
     if (leg.count > 0) {
@@ -218,9 +233,25 @@ PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
   return out;
 }
 
+}  // namespace
+
+PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
+                    double margin) {
+  PlannedWay out = find_way(ground, from, goal, radius, margin);
+  out.length = route_length(out.points());
+  return out;
+}
+
+PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
+                      std::span<const geom::Point> corners, double radius, double margin) {
+  PlannedWay out = find_route(ground, from, corners, radius, margin);
+  out.length = route_length(out.points());
+  return out;
+}
+
 std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geom::Point> corners) {
   const auto points = way.points();
-  const double length = route_length(points);
+  const double length = way_length(way);
   double before = 0.0;
   std::size_t passed = 0;
   while (passed + 1 < corners.size()) {
@@ -232,15 +263,16 @@ std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geo
 }
 
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const PlannedWay& way,
-              geom::Point from, double stray, bool is_body) {
+              geom::Point from, double stray, bool is_body, double& off) {
+  off = std::numeric_limits<double>::infinity();
   if (!is_same_ground && (way.end == WayEnd::kClosedOff || !is_open(ground, way))) return false;
-  const auto points = way.points();
-  const double length = route_length(points);
-  const double at = nearest_way(points, from, 0.0, length);
-  const double off = distance(route_point(points, at), from);
-  if (off > stray || (way.end == WayEnd::kFull && at >= 0.7 * length)) return false;
-  if (!is_body || off <= way.clearance) return true;
-  const geom::Segment ahead{from, carrot_on(way, from, at, kLookahead)};
+  const double length = way_length(way);
+  const double at = nearest_on(way, from, 0.0, length);
+  const double away = distance(point_on(way, at), from);
+  if (away > stray || (way.end == WayEnd::kFull && at >= 0.7 * length)) return false;
+  if (way.end != WayEnd::kFull) off = away;
+  if (!is_body || away <= way.clearance) return true;
+  const geom::Segment ahead{from, carrot_on(way, from, at, away, kLookahead)};
   return std::ranges::none_of(ground.walls,
                               [&](const geom::Segment& wall) { return intersects(ahead, wall); }) &&
          std::ranges::none_of(ground.discs, [&](const ways::Round& disc) {
@@ -317,14 +349,14 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
   constexpr double kHalf = 10.0;  // of the piece of the way that says where it leads [m]
   const auto points = way.points();
   if (points.empty()) return {here, at};
-  const double length = route_length(points);
+  const double length = way_length(way);
   // Where it goes on all go to its end, and see from there.
   const double end = way.end == WayEnd::kFull ? length : length + station.x;
   const auto is_apart = [&](geom::Point a, geom::Point b) {
     return std::ranges::any_of(ground.walls,
                                [&](const geom::Segment& wall) { return intersects({a, b}, wall); });
   };
-  const auto way_at = [&](double there) { return way_point_of(points, length, there); };
+  const auto way_at = [&](double there) { return way_point(way, there); };
   const auto place_at = [&](double there) {
     const geom::Point middle = way_at(there);
     const geom::Offset along = unit(way_at(there + kHalf) - way_at(there - kHalf));
@@ -347,8 +379,30 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
   return {is_there ? *last : way_at(std::max(0.0, length - in_file())), end};
 }
 
-geom::Point way_point(std::span<const geom::Point> way, double at) {
-  return way_point_of(way, route_length(way), at);
+geom::Point point_on(const PlannedWay& way, double at) {
+  if (!is_straight(way)) return route_point(way.points(), at);
+  const geom::Point from = way.corners[0];
+  if (!(at > 0.0)) return from;
+  return at < way.length ? from + (way.corners[1] - from) * (at / way.length) : way.corners[1];
+}
+
+double nearest_on(const PlannedWay& way, geom::Point p, double from, double to) {
+  if (!is_straight(way)) return nearest_way(way.points(), p, from, to);
+  const geom::Offset away = p - way.corners[0];
+  const double projected = dot(away, way.corners[1] - way.corners[0]) / way.length;
+  if (!(std::abs(away.x) < kFar && std::abs(away.y) < kFar)) return nearest_way(way.points(), p, from, to);
+  if (!(0.0 <= to && way.length >= from)) return from;
+  const double low = std::max(0.0, from);
+  return std::clamp(projected, low, std::max(low, std::min(way.length, to)));
+}
+
+geom::Point way_point(const PlannedWay& way, double at) {
+  const auto points = way.points();
+  if (points.size() < 2) return points.empty() ? geom::Point{} : points.front();
+  const double length = way_length(way);
+  if (at < 0.0) return points.front() + begin_direction(way) * at;
+  if (at > length) return points.back() + end_direction(way) * (at - length);
+  return point_on(way, at);
 }
 
 std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,
@@ -366,14 +420,14 @@ std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, 
   return count;
 }
 
-geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double lookahead) {
+geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double off, double lookahead) {
   const auto points = way.points();
-  const double length = route_length(points);
+  const double length = way_length(way);
   // So much nearer than the clearance one may come to what the way leads round.
-  const double cut = std::clamp(0.2 * way.clearance, 0.05, 0.5) + distance(route_point(points, at), here);
+  const double cut = std::clamp(0.2 * way.clearance, 0.05, 0.5) + off;
   for (double ahead = lookahead;; ahead *= 0.5) {
     const double there = std::min(at + ahead, length);
-    const geom::Point carrot = route_point(points, there);
+    const geom::Point carrot = point_on(way, there);
     double corner = 0.0;
     bool is_near = true;
     for (std::size_t i = 1; i < points.size() && corner < there && is_near; ++i) {
@@ -385,13 +439,14 @@ geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double
   }
 }
 
-double way_progress(std::span<const geom::Point> way, geom::Point p, double from, double to) {
-  if (way.size() < 2) return 0.0;
-  const double length = route_length(way);
-  const double at = nearest_way(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
-  if (at <= 0.0) return std::min(std::max(dot(p - way.front(), begin_direction(way)), from), 0.0);
+double way_progress(const PlannedWay& way, geom::Point p, double from, double to) {
+  const auto points = way.points();
+  if (points.size() < 2) return 0.0;
+  const double length = way_length(way);
+  const double at = nearest_on(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
+  if (at <= 0.0) return std::min(std::max(dot(p - points.front(), begin_direction(way)), from), 0.0);
   if (at >= length) {
-    const double beyond = dot(p - way.back(), end_direction(way, length));
+    const double beyond = dot(p - points.back(), end_direction(way));
     return length + std::max(0.0, std::min(beyond, to - length));
   }
   return at;

@@ -8,6 +8,7 @@
 
 #include "mlab/geom/pose.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/schema/route.h"
 #include "mlab/ways/planned_way.h"
 
 namespace mlab::schema {
@@ -44,8 +45,12 @@ std::size_t corners_passed(const ways::PlannedWay& way, double at, std::span<con
 /// Whether a way that was planned on other ground still leads where it did: nothing stands on it, and who is
 /// on it is no farther off than `stray` [m], nor near the end of one that was too long to be told. Between a
 /// body and where it heads for is nothing, either.
+/// @param off  becomes how far off the way one is [m]: on the same ground it leads on for whoever has moved
+/// less
+///             than what is missing to `stray`, and for a body to the way's clearance; infinite where that is
+///             not all
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const ways::PlannedWay& way,
-              geom::Point from, double stray, bool is_body);
+              geom::Point from, double stray, bool is_body, double& off);
 
 /// So far ahead on a way is where who follows it heads for, where he is not told otherwise [m].
 inline constexpr double kLookahead = 2.0;
@@ -83,8 +88,12 @@ struct PlaceAhead {
 PlaceAhead place_on_way(const percept::KnownGround& ground, const ways::PlannedWay& way, geom::Vector station,
                         const std::function<double()>& in_file, double at, geom::Point here, double away);
 
-/// As route_point, with a way that goes straight on at both ends.
-geom::Point way_point(std::span<const geom::Point> way, double at);
+/// Of its pieces together [m].
+inline double way_length(const ways::PlannedWay& way) {
+  return way.length >= 0.0 ? way.length : route_length(way.points());
+}
+/// As point_on, with a way that goes straight on at both ends.
+geom::Point way_point(const ways::PlannedWay& way, double at);
 /// How many of the unit are nearer to the way's end than the robot, of those in sight.
 template <class Readings>
 int mates_before(const Readings& robots, const geom::Pose& pose, const ways::PlannedWay& way) {
@@ -103,10 +112,14 @@ std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, 
 
 /// Where to head for from beside a way, so that what one cuts off of its turns stays small.
 /// @param at         how far along the way one is [m]
+/// @param off        how far that is from where one is [m]
 /// @param lookahead  the place is at most so much farther [m]
-geom::Point carrot_on(const ways::PlannedWay& way, geom::Point here, double at, double lookahead);
-/// As nearest_way, on a way that goes straight on at both ends: less than 0 behind its beginning, more than
+geom::Point carrot_on(const ways::PlannedWay& way, geom::Point here, double at, double off, double lookahead);
+/// As route_point and nearest_way, on a way: faster where it is straight.
+geom::Point point_on(const ways::PlannedWay& way, double at);
+double nearest_on(const ways::PlannedWay& way, geom::Point p, double from, double to);
+/// As nearest_on, on a way that goes straight on at both ends: less than 0 behind its beginning, more than
 /// its length beyond its end [m].
-double way_progress(std::span<const geom::Point> way, geom::Point p, double from, double to);
+double way_progress(const ways::PlannedWay& way, geom::Point p, double from, double to);
 
 }  // namespace mlab::schema

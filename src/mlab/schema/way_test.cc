@@ -1,5 +1,8 @@
 #include "mlab/schema/way.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -97,7 +100,8 @@ TEST(LeadsOn, NotWhereAWallIsBetweenABodyAndWhatItHeadsFor) {
   const auto way = plan_way(known.ground(), {101.5, 40.0}, {101.5, 60.0}, 0.2, 1.0);
   ASSERT_EQ(way.end, WayEnd::kGoal);
   const auto leads = [&](Point from, bool is_body) {
-    return leads_on(known.ground(), true, way, from, 5.0, is_body);
+    double off = 0.0;
+    return leads_on(known.ground(), true, way, from, 5.0, is_body, off);
   };
   EXPECT_TRUE(leads({101.0, 49.5}, true)) << "in the door";
   EXPECT_TRUE(leads({104.0, 44.0}, true)) << "beside the way, with nothing between";
@@ -149,8 +153,48 @@ TEST(PlaceOnWay, IsNeverBehindTheWallsOfACorner) {
   }
 }
 
+ways::PlannedWay way_along(const std::vector<Point>& corners) {
+  ways::PlannedWay out;
+  std::ranges::copy(corners, out.corners.begin());
+  out.count = static_cast<std::uint16_t>(corners.size());
+  return out;
+}
+
+TEST(LeadsOn, SaysHowFarOffTheWayOneIs) {
+  const Known known{{}, {}, next_revision()};
+  auto way = way_along({{0.0, 0.0}, {50.0, 0.0}});
+  way.end = WayEnd::kGoal;
+  const auto off = [&] {
+    double out = 0.0;
+    EXPECT_TRUE(leads_on(known.ground(), true, way, {20.0, 3.0}, 5.0, false, out));
+    return out;
+  };
+  EXPECT_EQ(off(), 3.0);
+  way.end = WayEnd::kFull;
+  EXPECT_EQ(off(), std::numeric_limits<double>::infinity()) << "where its end is near it is to be planned on";
+}
+
+// Whether it is known how long a way is makes no difference, to the last bit.
+TEST(WayProgress, IsTheSameWhereTheLengthIsKnown) {
+  const auto way = way_along({{3.0, -2.0}, {71.3, 40.9}});
+  auto known = way;
+  known.length = route_length(way.points());
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Point p : {Point{10.0, 3.1}, {-9.0, 1.0}, {90.7, 55.1}, {3.0, -2.0}, {1e200, 3.0}, {inf, 0.0}}) {
+    for (const double from : {-1e4, 0.0, 13.7, 90.0}) {
+      for (const double to : {-3.0, 20.0, 30.3, 1e4}) {
+        EXPECT_EQ(nearest_on(known, p, from, to), nearest_way(way.points(), p, from, to));
+        if (from > to) continue;
+        EXPECT_EQ(way_progress(known, p, from, to), way_progress(way, p, from, to));
+      }
+    }
+  }
+  for (const double at : {-inf, -5.0, 0.0, 17.3, 80.6, 81.0, inf})
+    EXPECT_EQ(point_on(known, at), route_point(way.points(), at));
+}
+
 TEST(WayProgress, GoesOnBeyondTheEnds) {
-  const std::vector<Point> way = {{0.0, 0.0}, {50.0, 0.0}, {50.0, 50.0}};
+  const ways::PlannedWay way = way_along({{0.0, 0.0}, {50.0, 0.0}, {50.0, 50.0}});
   EXPECT_DOUBLE_EQ(way_progress(way, {-4.0, 1.0}, -50.0, 150.0), -4.0);
   EXPECT_DOUBLE_EQ(way_progress(way, {4.0, 1.0}, -50.0, 150.0), 4.0);
   EXPECT_DOUBLE_EQ(way_progress(way, {51.0, 53.0}, -50.0, 150.0), 103.0);
@@ -159,7 +203,7 @@ TEST(WayProgress, GoesOnBeyondTheEnds) {
 }
 
 TEST(WayProgress, GoesOnWhereTheWayLedNotItsLastStep) {
-  const std::vector<Point> way = {{0.0, 0.0}, {50.0, 0.0}, {49.0, 0.5}};
+  const ways::PlannedWay way = way_along({{0.0, 0.0}, {50.0, 0.0}, {49.0, 0.5}});
   EXPECT_GT(way_point(way, 80.0).x, 70.0);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,16 +19,28 @@ enum class WayEnd : std::uint32_t {
   kFull         ///< it goes on, and has no room for more corners
 };
 
-/// A way as it is passed on: of bounded length, copied byte by byte.
+/// A way as it is passed on: of bounded length, copied byte by byte. Most have two or three corners, so what
+/// is read of one each cycle stands in its first bytes.
 struct PlannedWay {
   static constexpr std::size_t kMostCorners = 48;
+  static constexpr double kNotKnown = -1.0;
 
-  std::array<geom::Point, kMostCorners> corners{};  ///< from where it begins to where it ends [m, world]
   double clearance = 0.0;     ///< that it keeps from all that was known, but for its ends [m]
+  double length = kNotKnown;  ///< of its pieces together [m]; who plans one says it, others need not
   std::uint16_t count = 0;    ///< of the corners; 0: there is no way
   std::uint16_t version = 0;  ///< another one: it was planned anew
   WayEnd end = WayEnd::kNowhere;
+  std::array<geom::Point, kMostCorners> corners{};  ///< from where it begins to where it ends [m, world]
 
+  /// Becomes another one. Corners that it has no use for stay as they are, so that they are not written.
+  void become(const PlannedWay& other) {
+    clearance = other.clearance;
+    length = other.length;
+    count = other.count;
+    version = other.version;
+    end = other.end;
+    std::ranges::copy(other.points(), corners.begin());
+  }
   /// Whatever somebody else's program has left in `count`.
   std::span<const geom::Point> points() const {
     return std::span(corners).first(count <= kMostCorners ? count : kMostCorners);

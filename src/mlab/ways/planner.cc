@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 #include <queue>
+#include <ranges>
+#include <tuple>
 #include <utility>
 
 #include "mlab/ways/turn.h"
@@ -17,6 +19,9 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // of a length [m].
 constexpr double kOutside = 0.009;
 constexpr double kLeastOutside = 0.03;
+// Looking at so many rounds is as dear as a tangent.
+constexpr std::uint64_t kRoundsOfATangent = 20;
+constexpr double kSlack = 1e-9;  // a share: the last digits of what is computed in two ways
 
 }  // namespace
 
@@ -31,6 +36,9 @@ struct Planner::Search {
   std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>,
                       std::greater<>>
       rounds;
+  /// The least that a way by farther rings of a step's circle has, the step, and the first of the rings.
+  using Farther = std::tuple<double, std::int32_t, std::uint32_t>;
+  std::priority_queue<Farther, std::vector<Farther>, std::greater<>> farther;
 
   void add(const Step& step) {
     open.emplace(step.cost + distance(step.piece.tangent.piece.b, to),
@@ -56,27 +64,55 @@ bool Planner::is_open(std::uint32_t circle, double angle, double by) {
   });
 }
 
-const Planner::Circle& Planner::known(std::uint32_t circle) {
-  Circle& out = circles_[circle];
-  if (out.is_known) return out;
-  out.is_known = true;
-  out.first_piece = pieces_;
-  effort_ += circles_.size();
+/// Where things are few the first ring holds all: what that saves costs as much. Else some of the nearest.
+double Planner::first_reach(std::span<const Round> rounds) {
+  constexpr std::size_t kFew = 512;
+  constexpr double kSpacings = 2.0;  // between neighbours, if all stood evenly
+  if (rounds.size() <= kFew) return kNever;
+  const auto [x0, x1] =
+      std::ranges::minmax(rounds | std::views::transform([](const Round& r) { return r.center.x; }));
+  const auto [y0, y1] =
+      std::ranges::minmax(rounds | std::views::transform([](const Round& r) { return r.center.y; }));
+  const auto count = static_cast<double>(rounds.size());
+  const double spacing =
+      std::max(std::sqrt((x1 - x0) * (y1 - y0) / count), std::max(x1 - x0, y1 - y0) / count);
+  return spacing > 0.0 ? kSpacings * spacing : kNever;
+}
+
+const Planner::Ring& Planner::known(std::uint32_t circle, std::uint32_t ring) {
+  while (circles_[circle].rings.size() <= ring) circles_[circle].rings.push_back(next_ring(circle));
+  return circles_[circle].rings[ring];
+}
+
+/// The first ring that is not known, twice as far out as the one before. Beyond the ground's other end there
+/// is nothing.
+Planner::Ring Planner::next_ring(std::uint32_t circle) {
+  const std::vector<Ring>& before = circles_[circle].rings;
+  const double inner = before.empty() ? -1.0 : before.back().reach;
+  Ring out{before.empty() ? first_reach_ : 2.0 * inner, pieces_, {}};
+  double farthest = 0.0;
+  effort_ += 2;
+  if (out.reach < kNever) effort_ += clearing_.rounds().size() / kRoundsOfATangent;
   for (std::uint32_t other = 0; other < circles_.size(); ++other) {
     if (other / 2 == circle / 2) continue;
+    const double gap = std::max(
+        distance(round(circle).center, round(other).center) - round(circle).radius - round(other).radius,
+        0.0);
+    farthest = std::max(farthest, gap);
+    if (gap < inner || gap >= out.reach) continue;
+    ++effort_;
     const auto one = tangent(round(circle), sense(circle), round(other), sense(other));
     if (one && clearing_.is_free(one->piece))
       out.pieces.push_back({*one, other, angle(circle, one->piece.a), angle(other, one->piece.b)});
   }
+  if (farthest < out.reach) out.reach = kNever;
   pieces_ += static_cast<std::uint32_t>(out.pieces.size());
   best_.resize(pieces_, kNever);
   return out;
 }
 
 void Planner::begin(Search& search) {
-  constexpr std::uint64_t kRoundsOfATangent = 20;  // as dear as one
   effort_ += clearing_.rounds().size() / kRoundsOfATangent;
-  constexpr double kSlack = 1e-9;  // a share: the last digits of what is computed in two ways
   std::vector<std::pair<double, std::uint32_t>> rounds;
   for (std::uint32_t i = 0; i < clearing_.rounds().size(); ++i) {
     const auto& [center, radius] = clearing_.rounds()[i];
@@ -100,10 +136,14 @@ void Planner::begin_by(std::uint32_t round_number, Search& search) {
 /// none.
 bool Planner::has_next(Search& search) {
   while (true) {
-    if (!search.rounds.empty() &&
-        (search.open.empty() || search.rounds.top().first <= search.open.top().first)) {
+    const double next = search.open.empty() ? kNever : search.open.top().first;
+    if (!search.rounds.empty() && search.rounds.top().first <= next) {
       begin_by(search.rounds.top().second, search);
       search.rounds.pop();
+    } else if (!search.farther.empty() && std::get<0>(search.farther.top()) <= next) {
+      const auto [least, step, ring] = search.farther.top();
+      search.farther.pop();
+      go_on_by(ring, step, search);
     } else if (search.open.empty()) {
       return false;
     } else if (is_blocked(search.steps[static_cast<std::size_t>(search.open.top().second)])) {
@@ -119,33 +159,47 @@ bool Planner::is_blocked(const Step& step) const {
   return step.before < 0 && !clearing_.is_free(step.piece.tangent.piece);
 }
 
+/// Of a way that comes to a circle by a step and leaves it at an angle, up to there.
+double Planner::cost_round(const Step& arrived, double leaving) {
+  const std::uint32_t here = arrived.piece.to;
+  const double by = turned(arrived.piece.to_angle, leaving, sense(here));
+  // Straight on, but for the last digit.
+  const double rest = by > kTurn - 1e-9 ? 0.0 : by;
+  return is_open(here, arrived.piece.to_angle, rest) ? arrived.cost + round(here).radius * rest : kNever;
+}
+
 void Planner::go_on(Search& search, std::int32_t step) {
-  const auto [arrived, cost_so_far, before] = search.steps[static_cast<std::size_t>(step)];
-  const std::uint32_t here = arrived.to;
-  const double arrival = arrived.to_angle;
-  const Circle& circle = known(here);
-  const auto cost_round = [&](double leaving) {
-    const double by = turned(arrival, leaving, sense(here));
-    // Straight on, but for the last digit.
-    const double rest = by > kTurn - 1e-9 ? 0.0 : by;
-    return is_open(here, arrival, rest) ? cost_so_far + round(here).radius * rest : kNever;
-  };
+  const Step arrived = search.steps[static_cast<std::size_t>(step)];
+  const std::uint32_t here = arrived.piece.to;
   if (const auto last = tangent(round(here), sense(here), {search.to, 0.0}, Sense::kCounterClockwise)) {
     const double leaving = angle(here, last->piece.a);
-    const double cost = cost_round(leaving) + last->length;
+    const double cost = cost_round(arrived, leaving) + last->length;
     if (cost < kNever && clearing_.is_free(last->piece))
       search.add({{*last, Search::kGoal, leaving, 0.0}, cost, step});
   }
-  effort_ += circle.pieces.size();
-  for (std::size_t i = 0; i < circle.pieces.size(); ++i) {
-    const Piece& piece = circle.pieces[i];
-    const double cost = cost_round(piece.from_angle) + piece.tangent.length;
-    const std::uint32_t number = circle.first_piece + static_cast<std::uint32_t>(i);
+  go_on_by(0, step, search);
+}
+
+/// By the pieces of one ring; those of the next one wait until the shortest way may lead by them.
+void Planner::go_on_by(std::uint32_t ring_number, std::int32_t step, Search& search) {
+  const Step arrived = search.steps[static_cast<std::size_t>(step)];
+  const std::uint32_t here = arrived.piece.to;
+  const Ring& ring = known(here, ring_number);
+  effort_ += ring.pieces.size();
+  for (std::size_t i = 0; i < ring.pieces.size(); ++i) {
+    const Piece& piece = ring.pieces[i];
+    const double cost = cost_round(arrived, piece.from_angle) + piece.tangent.length;
+    const std::uint32_t number = ring.first_piece + static_cast<std::uint32_t>(i);
     if (cost >= best_[number]) continue;
     best_[number] = cost;
     improved_.push_back(number);
     search.add({piece, cost, step});
   }
+  if (ring.reach == kNever) return;
+  // Who goes farther than the goal has to come back.
+  const double back = ring.reach - distance(round(here).center, search.to) - round(here).radius;
+  const double least = arrived.cost + ring.reach + std::max(back, 0.0);
+  search.farther.emplace(least * (1.0 - kSlack), step, ring_number + 1);
 }
 
 std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point to,
@@ -155,7 +209,7 @@ std::expected<Way, Planner::NoWay> Planner::find(geom::Point from, geom::Point t
     return Way{{from, to}, distance(from, to), clearing_.clearance()};
   for (const std::uint32_t piece : improved_) best_[piece] = kNever;
   improved_.clear();
-  Search search{from, to, {}, {}, {}};
+  Search search{from, to, {}, {}, {}, {}};
   begin(search);
   while (has_next(search) && effort_ - effort_before < most_effort) {
     const std::int32_t step = search.open.top().second;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <expected>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mlab/ways/clearing.h"
@@ -29,6 +30,7 @@ class Planner {
   /// @param ground  outlives this
   Planner(const Ground& ground, double clearance)
       : clearing_(ground, clearance),
+        first_reach_(first_reach(clearing_.rounds())),
         circles_(2 * clearing_.rounds().size()),
         arcs_(clearing_.rounds().size()),
         effort_(circles_.size()) {}
@@ -57,11 +59,15 @@ class Planner {
     double from_angle = 0.0;  // where it leaves the circle [rad]
     double to_angle = 0.0;    // where it meets the other one [rad]
   };
-  /// A round gone round in one sense.
-  struct Circle {
-    bool is_known = false;
+  /// Those of a circle's pieces that lead about equally far.
+  struct Ring {
+    double reach = 0.0;             // to all rounds nearer than this, but for those of the rings before [m]
     std::uint32_t first_piece = 0;  // its pieces' numbers begin here
     std::vector<Piece> pieces;
+  };
+  /// A round gone round in one sense: the rings of pieces that some search has come to, the nearest first.
+  struct Circle {
+    std::vector<Ring> rings;
   };
   /// What a search has come to: a piece, and where it comes from.
   struct Step {
@@ -76,17 +82,22 @@ class Planner {
     return circle % 2 == 0 ? Sense::kCounterClockwise : Sense::kClockwise;
   }
   double angle(std::uint32_t circle, geom::Point at) const { return direction(at - round(circle).center); }
+  static double first_reach(std::span<const Round> rounds);
   const std::vector<Arc>& arcs(std::uint32_t round);
   bool is_open(std::uint32_t circle, double angle, double by);
-  const Circle& known(std::uint32_t circle);
+  const Ring& known(std::uint32_t circle, std::uint32_t ring);
+  Ring next_ring(std::uint32_t circle);
+  double cost_round(const Step& arrived, double leaving);
   void begin(Search& search);
   void begin_by(std::uint32_t round_number, Search& search);
   bool has_next(Search& search);
   bool is_blocked(const Step& step) const;
   void go_on(Search& search, std::int32_t step);
+  void go_on_by(std::uint32_t ring, std::int32_t step, Search& search);
   Way way_of(const Search& search, std::int32_t last) const;
 
   Clearing clearing_;
+  double first_reach_;  // of the first ring of each circle [m]
   std::vector<Circle> circles_;
   std::vector<std::optional<std::vector<Arc>>> arcs_;  // by round
   std::uint32_t pieces_ = 0;

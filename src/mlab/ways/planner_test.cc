@@ -137,6 +137,30 @@ TEST(Planner, FindsTheShortestWayWhereverThereIsOne) {
   EXPECT_GT(closed, 1);
 }
 
+// Where things are many, those far away are looked at only when a way may lead by them.
+TEST(Planner, GoesAsFarAroundAsItHasToWhereThingsAreMany) {
+  // A wall of discs across the way that ends far off, within a field of others beyond.
+  Ground few;
+  for (int i = -60; i <= 200; ++i) few.discs.push_back({{50.0, 10.0 * i}, 6.0});
+  Ground many = few;
+  for (int i = 0; i < 400; ++i) many.discs.push_back({{5000.0 + 40.0 * (i % 20), 40.0 * (i / 20)}, 6.0});
+  Planner all_at_once(few, 1.0);
+  Planner by_rings(many, 1.0);
+  const auto expected = all_at_once.find({0.0, 0.0}, {100.0, 0.0});
+  const auto way = by_rings.find({0.0, 0.0}, {100.0, 0.0});
+  ASSERT_TRUE(expected && way);
+  EXPECT_GT(way->length, 1200.0);
+  EXPECT_EQ(way->length, expected->length);
+  EXPECT_EQ(way->corners, expected->corners);
+  EXPECT_LT(by_rings.effort(), many.discs.size() * many.discs.size());
+  // What was found before makes no difference, and no way is certain once all rings were looked at.
+  EXPECT_EQ(by_rings.find({0.0, 0.0}, {100.0, 0.0})->corners, way->corners);
+  many.bounds = {-100.0, -600.0, 200.0, 2000.0};
+  const auto none = Planner(many, 1.0).find({0.0, 0.0}, {100.0, 0.0});
+  ASSERT_FALSE(none);
+  EXPECT_TRUE(none.error().is_certain);
+}
+
 TEST(Planner, AnswersTheSameWhateverWasAskedBefore) {
   std::mt19937_64 random(kPlannerSeed + 7);
   std::uniform_real_distribution<double> place(0.0, 100.0);
