@@ -33,7 +33,7 @@ install(DIRECTORY ${shell_files}/ DESTINATION ${CMAKE_INSTALL_DATADIR})
 # What is inside and whose it is: our own, the libraries whose headers are compiled in (as their Debian packages say),
 # and the packages in the web client (as its build wrote them down).
 set(HEADER_NOTICES "")
-foreach(package libcli11-dev nlohmann-json3-dev libfmt-dev libprotobuf-dev libtbb-dev cyclonedds-dev libtomlplusplus-dev prometheus-cpp-dev)
+foreach(package libcli11-dev nlohmann-json3-dev libfmt-dev libprotobuf-dev libtbb-dev cyclonedds-dev libtomlplusplus-dev prometheus-cpp-dev libgeographiclib-dev)
   if(EXISTS /usr/share/doc/${package}/copyright)
     file(READ /usr/share/doc/${package}/copyright notice)
     string(REGEX REPLACE "\n\n" "\n.\n" notice "${notice}")

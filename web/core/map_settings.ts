@@ -1,6 +1,8 @@
 // What the map shows and how: values that can be saved as they are, and undone.
+import type { PlaceNotation } from "./place_notation.ts";
 
 export type LayerName =
+  | "tiles"
   | "picture"
   | "grid"
   | "measures"
@@ -27,6 +29,8 @@ export interface MapSettings {
   readonly highlightObstacles: boolean;
   /** Of watched robots, what each schema contributes; else the sum alone. */
   readonly contributions: boolean;
+  /** How places are written, where the map says where it lies on the Earth. */
+  readonly notation: PlaceNotation;
   /** Robots are drawn so many times larger than they are. */
   readonly robotScale: number;
   /** What draws the robots: "auto" measures and chooses. */
@@ -35,6 +39,7 @@ export interface MapSettings {
 
 /** The layers by their names for people, in the order of a legend. */
 export const kLayers: readonly (readonly [LayerName, string])[] = [
+  ["tiles", "Map of the Earth"],
   ["picture", "Background picture"],
   ["grid", "Grid"],
   ["measures", "Control measures"],
@@ -53,6 +58,7 @@ export const kDefaultSettings: MapSettings = {
   theme: "light",
   military: false,
   layers: {
+    tiles: true,
     picture: true,
     grid: true,
     measures: true,
@@ -71,6 +77,7 @@ export const kDefaultSettings: MapSettings = {
   circleRobots: false,
   highlightObstacles: true,
   contributions: true,
+  notation: "metres",
   robotScale: 1,
   renderer: "auto",
 };

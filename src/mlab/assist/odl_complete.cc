@@ -52,6 +52,7 @@ class OverlayCompleter {
       out_.add("LON", "keyword", "degrees east");
       return;
     }
+    if (last == Keyword::kGeo) return;  // a place in quotes
     if (is_between(Keyword::kLat, Keyword::kLon)) {
       out_.add("LON", "keyword", "degrees east");
       return;
@@ -69,14 +70,14 @@ class OverlayCompleter {
       return;
     }
     if (rule.form == odl::Form::kMoving) {
-      if (words < 2) out_.add("UTM", "keyword", "LAT degrees LON degrees");
+      if (words < 2) points();
       if (words >= 2 * rule.min_points + rule.min_numbers) route();
       return;
     }
     const bool is_named =
         rule.form == odl::Form::kName || rule.form == odl::Form::kFile || rule.form == odl::Form::kNamed;
     if (is_named && words == 0) return;  // a new name
-    if (rule.max_points > 0) out_.add("UTM", "keyword", "LAT degrees LON degrees");
+    if (rule.max_points > 0) points();
     const std::size_t least =
         (is_named && rule.max_points > 0 ? 1U : 0U) + 2 * rule.min_points + rule.min_numbers;
     if (words >= std::max<std::size_t>(least, 1)) statements();
@@ -104,13 +105,19 @@ class OverlayCompleter {
                        [&](const odl::Token& token) { return token.keyword == keyword; });
   }
 
+  // A point that is not in metres begins with one of these.
+  void points() {
+    out_.add("UTM", "keyword", "LAT degrees LON degrees");
+    out_.add("GEO", "keyword", "\"48.2 N 16.4 E\", or in UTM or MGRS");
+  }
+
   void hallway(std::size_t words) {
     if (words == 0) return;
     if (!has(Keyword::kCenterline)) {
       out_.add("CENTERLINE", "keyword", "points");
       return;
     }
-    out_.add("UTM", "keyword", "LAT degrees LON degrees");
+    points();
     if (!has(Keyword::kWidth)) {
       out_.add("WIDTH", "keyword", "metres");
       return;
@@ -129,7 +136,7 @@ class OverlayCompleter {
       out_.add("ROUTE", "keyword", "points");
       statements();
     } else if (!has(Keyword::kSpeed)) {
-      out_.add("UTM", "keyword", "LAT degrees LON degrees");
+      points();
       out_.add("SPEED", "keyword", "m/s");
     } else {
       statements();

@@ -152,6 +152,9 @@ TEST_F(ServiceTest, CompletesMissionsWithWhatOverlaysAndConfigurationsDeclare) {
             (Strings{"PP-Charlie", "\"PL-red line\"", "BOUNDARY-Field"}));
   EXPECT_EQ(offered("n.mdl", head + " 1. UNIT |"), (Strings{"pair"}));
   EXPECT_TRUE(contains(offered("n.mdl", "OVERLAY |"), "\"map.odl\""));
+  EXPECT_TRUE(contains(offered("n.odl", "ORIGIN |"), "GEO"));
+  EXPECT_TRUE(contains(offered("n.odl", "CONTROL MEASURES:\nPP a |"), "GEO"));
+  EXPECT_FALSE(contains(offered("n.odl", "CONTROL MEASURES:\nPP a GEO |"), "UTM")) << "a place in quotes";
   const Strings keys = offered("n.mdl", "NEW-ROBOT scout \"robots.cdl\" (|");
   EXPECT_TRUE(contains(keys, "urge"));
   EXPECT_TRUE(contains(keys, "top"));

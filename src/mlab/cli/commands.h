@@ -70,6 +70,7 @@ struct RunOptions {
   std::string certificate;            ///< PEM file; empty: no TLS
   std::string key;                    ///< PEM file
   std::string project;                ///< folder; empty: the mission's, or the current one
+  std::string tiles;                  ///< MBTiles file that the map lies on; empty: none
   bool no_browser = false;
   bool new_token = false;  ///< pages that were left open do not find this server
 
@@ -260,6 +261,13 @@ struct NewOptions {
 };
 int make_new(const NewOptions& options);
 std::vector<std::string> new_kinds();
+
+struct PlaceOptions {
+  std::string map;    ///< overlay file
+  std::string place;  ///< on the Earth, in any notation
+};
+/// Tells where a place lies on a map, and how it is written in all notations.
+int tell_place(const PlaceOptions& options);
 
 struct WorldOptions {
   std::string kind;

@@ -154,6 +154,13 @@ void add_console(CLI::App* c, RunOptions& o, const std::string& group) {
       ->check(CLI::ExistingDirectory)
       ->type_name("FOLDER")
       ->group(group);
+  c->add_option(
+       "--tiles", o.tiles,
+       "draw the map on a map of the Earth: pictures out of an MBTiles file; the overlay says where it\n"
+       "lies (ORIGIN GEO, docs/geography.md)")
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE.mbtiles")
+      ->group(group);
   c->add_flag("--no-browser", o.no_browser, "only print the address")->group(group);
   c->add_flag(
        "--new-token", o.new_token,
@@ -340,23 +347,6 @@ void add_new(CLI::App& app, NewOptions& o) {
       ->type_name("NAME");
 }
 
-void add_world(CLI::App& app, WorldOptions& o) {
-  CLI::App* c = app.add_subcommand("world", kWorldDescription);
-  c->add_option("kind", o.kind, world_kinds_help())
-      ->required()
-      ->check(CLI::IsMember(world_kinds()))
-      ->type_name("KIND");
-  c->add_option("--seed", o.seed, "of the first map; the others follow")
-      ->capture_default_str()
-      ->type_name("N");
-  c->add_option("--count", o.count, "how many maps")
-      ->capture_default_str()
-      ->check(CLI::Range(1U, 100'000U))
-      ->type_name("N");
-  c->add_option("--folder", o.folder, "where to, made where it isn't there; other files are left alone")
-      ->type_name("FOLDER");
-}
-
 // What shows or writes something of the command line itself.
 struct OwnOptions {
   std::string help_of;  // never read: help is answered by the command it is asked of
@@ -464,6 +454,7 @@ struct AllOptions {
   CompareOptions compare;
   NewOptions fresh;
   WorldOptions world;
+  PlaceOptions place;
   OwnOptions own;
   bool says_stdio = false;
 };
@@ -497,6 +488,7 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_lsp(app, o.says_stdio);
   add_new(app, o.fresh);
   add_world(app, o.world);
+  add_place(app, o.place);
   add_own(app, o.own);
 }
 
@@ -520,6 +512,7 @@ int do_as_told(CLI::App& app, const AllOptions& o) {
   if (app.got_subcommand("trace")) return trace(o.trace);
   if (app.got_subcommand("compare")) return compare(o.compare);
   if (app.got_subcommand("new")) return make_new(o.fresh);
+  if (app.got_subcommand("place")) return tell_place(o.place);
   if (app.got_subcommand("world")) return draw_worlds(o.world);
   if (!app.got_subcommand("bench")) return show_own(app, o.own);
   return bench(o.bench);

@@ -94,4 +94,8 @@ inline void add_network(CLI::App* c, NetworkOptions& o) {
       ->type_name("FOLDER");
 }
 
+// Commands whose options stand beside them.
+void add_place(CLI::App& app, PlaceOptions& o);
+void add_world(CLI::App& app, WorldOptions& o);
+
 }  // namespace mlab::cli

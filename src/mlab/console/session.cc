@@ -29,6 +29,10 @@ void Session::emergency_stop() {
 Session::Picture Session::picture(std::uint64_t revision) const {
   return core_->picture(revision);
 }
+
+Session::Picture Session::tile(std::uint32_t zoom, std::uint32_t column, std::uint32_t row) const {
+  return core_->tile(zoom, column, row);
+}
 std::vector<std::string> Session::end() {
   return core_->end();
 }

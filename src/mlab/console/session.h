@@ -13,6 +13,7 @@
 #include "mlab/metrics/exposition.h"
 #include "mlab/robot/host/limits.h"
 #include "mlab/run/mission_run.h"
+#include "mlab/tiles/map_tiles.h"
 
 namespace mlab::console {
 
@@ -48,7 +49,8 @@ struct SessionSettings {
   /// Called, on the session's thread, whenever this changes: why what is not saved would be lost with this
   /// process. Empty: it would not.
   std::function<void(const std::string& why)> tell_not_kept = {};
-  double speed = 10.0;  ///< simulated seconds per second; 0: as fast as it goes
+  double speed = 10.0;                                ///< simulated seconds per second; 0: as fast as it goes
+  std::shared_ptr<const tiles::MapTiles> tiles = {};  ///< what the map lies on; null: nothing
   run::RunSettings run;
   RecordSettings record = {};
   OpenRecording recording = {};     ///< then no mission is opened
@@ -92,6 +94,8 @@ class Session {
     std::shared_ptr<const std::string> bytes;
   };
   Picture picture(std::uint64_t revision) const;
+  /// A square of the map of the Earth, as `tiles::MapTiles::find`. From any thread.
+  Picture tile(std::uint32_t zoom, std::uint32_t column, std::uint32_t row) const;
 
   /// The report of the run as it stands (docs/report.md).
   std::string report() const;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "mlab/geography/projection.h"
 #include "mlab/geom/pose.h"
 #include "mlab/overlay/measure_kinds.h"
 #include "mlab/text/source.h"
@@ -95,7 +96,9 @@ struct Overlay {
   std::string scenario;
   std::string site;
   geom::Offset origin;  ///< the ORIGIN in force at the end; later plain coordinates have it added [m]
-  std::optional<UtmOrigin> utm_origin;          ///< set by ORIGIN UTM; then `origin` is zero
+  std::optional<UtmOrigin> utm_origin;  ///< set by ORIGIN UTM; then `origin` is zero
+  /// How the world lies on the Earth (ORIGIN GEO, ORIGIN UTM); then `origin` is zero.
+  std::optional<geography::Projection> projection;
   std::optional<Area> area;                     ///< as stated; without a statement the default applies
   double heading = 0.0;                         ///< initial heading of all robots [rad]
   std::optional<geom::Point> global_reference;  ///< GLOBAL_REF_POINT: x latitude, y longitude [degrees]

@@ -1,14 +1,11 @@
 #pragma once
 
+#include "mlab/geography/geo_point.h"
 #include "mlab/geom/pose.h"
 
 namespace mlab::overlay {
 
-/// Where a place lies on the Earth, in decimal degrees: north and east are positive.
-struct GeoPoint {
-  double latitude_deg = 0.0;
-  double longitude_deg = 0.0;
-};
+using geography::GeoPoint;
 
 /// The zone, 1..60, each 6 degrees wide, zone 1 beginning at 180 degrees west. The exceptions of Norway and
 /// Svalbard are not made.

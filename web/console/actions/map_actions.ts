@@ -2,6 +2,7 @@
 import { kLayers, type LayerName, withLayer } from "../../core/map_settings.ts";
 import type { ActionRow } from "../../ui/commands/declared.ts";
 import { tools } from "../extensions/extensions.ts";
+import { copyPlace } from "../session/copy_place.ts";
 import type { ActionTable, Tool } from "../session/registry.ts";
 import type { Session } from "../session/session.ts";
 import { noMap, onlyWatching } from "./hindrances.ts";
@@ -42,6 +43,17 @@ export const kMapTable: ActionTable = {
       run: ({ model, ui }) => {
         const { military } = model.get("map");
         ui.editMap(military ? "plain symbols" : "military symbols", { military: !military });
+      },
+    },
+    {
+      id: "copy-place",
+      label: "Copy the place under the pointer",
+      icon: "copy",
+      shortcut: "shift+c",
+      unless: [({ ui }) => (ui.get("map")?.placeUnderPointer() ? undefined : "The pointer was not on the map yet.")],
+      run: (session) => {
+        const place = session.ui.get("map")?.placeUnderPointer();
+        if (place) void copyPlace(session, place);
       },
     },
     ...kLayers.map(([layer, name]) => layerRow(layer, name)),

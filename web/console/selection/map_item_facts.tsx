@@ -1,9 +1,12 @@
+import type { ReactNode } from "react";
+import { centreOf } from "../../core/geometry.ts";
 import { Measure_Kind, WorldObject_Style } from "../../core/protocol.ts";
 import type { MapItem } from "../../core/selection.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance } from "../../ui/words/format.ts";
 import { usePart, useSession } from "../session/session.ts";
+import { PlaceValue } from "./place_value.tsx";
 
 /** A control measure, an obstacle or an object. */
 export function MapItemFacts({ item, others }: { item: MapItem; others: number }) {
@@ -39,39 +42,22 @@ export function MapItemFacts({ item, others }: { item: MapItem; others: number }
 
 interface ItemFacts {
   title: string;
-  rows: (readonly [string, string])[];
+  rows: (readonly [string, ReactNode])[];
   document: string;
   line: number;
 }
 
-function describe(scene: NonNullable<ReturnType<typeof usePart<"scene">>>, item: MapItem): ItemFacts | undefined {
-  if (item.kind === "measure") {
-    const measure = scene.measures[item.index];
-    if (!measure) return undefined;
-    const kind = words(Measure_Kind[measure.kind] ?? "");
-    const points = measure.points.map((point) => `${Math.round(point.x)}, ${Math.round(point.y)}`);
-    return {
-      title: measure.name || kind,
-      rows: [
-        ["Kind", kind],
-        [
-          measure.points.length > 1 ? "Points" : "Place",
-          points.slice(0, 6).join(" · ") + (points.length > 6 ? " …" : ""),
-        ],
-        ["Size", measure.size > 0 ? distance(measure.size) : "–"],
-        ...(measure.zone ? [["Zone", measure.zone] as const] : []),
-      ],
-      document: measure.document,
-      line: measure.line,
-    };
-  }
+type SceneOf = NonNullable<ReturnType<typeof usePart<"scene">>>;
+
+function describe(scene: SceneOf, item: MapItem): ItemFacts | undefined {
+  if (item.kind === "measure") return describeMeasure(scene, item.index);
   if (item.kind === "obstacle") {
     const obstacle = scene.obstacles[item.index];
     if (!obstacle) return undefined;
     return {
       title: "Obstacle",
       rows: [
-        ["Place", `${obstacle.x.toFixed(1)}, ${obstacle.y.toFixed(1)} m`],
+        ["Place", <PlaceValue key="place" at={obstacle} />],
         ["Radius", distance(obstacle.radius)],
         ...(obstacle.route.length > 0
           ? [["Moves", `at ${obstacle.speed} m/s along ${obstacle.route.length + 1} points`] as const]
@@ -86,13 +72,34 @@ function describe(scene: NonNullable<ReturnType<typeof usePart<"scene">>>, item:
   return {
     title: "Object",
     rows: [
-      ["Place", `${object.x.toFixed(1)}, ${object.y.toFixed(1)} m`],
+      ["Place", <PlaceValue key="place" at={object} />],
       ["Diameter", distance(object.diameter)],
       ["Kind", words(WorldObject_Style[object.style] ?? "")],
       ["Colour", object.color],
     ],
     document: object.document,
     line: object.line,
+  };
+}
+
+function describeMeasure(scene: SceneOf, index: number): ItemFacts | undefined {
+  const measure = scene.measures[index];
+  if (!measure) return undefined;
+  const kind = words(Measure_Kind[measure.kind] ?? "");
+  const points = measure.points.map((point) => `${Math.round(point.x)}, ${Math.round(point.y)}`);
+  return {
+    title: measure.name || kind,
+    rows: [
+      ["Kind", kind],
+      ...(measure.points.length > 1
+        ? [["Points", points.slice(0, 6).join(" · ") + (points.length > 6 ? " …" : "")] as const]
+        : []),
+      [measure.points.length > 1 ? "Middle" : "Place", <PlaceValue key="place" at={centreOf(measure.points)} />],
+      ["Size", measure.size > 0 ? distance(measure.size) : "–"],
+      ...(measure.zone ? [["Zone", measure.zone] as const] : []),
+    ],
+    document: measure.document,
+    line: measure.line,
   };
 }
 

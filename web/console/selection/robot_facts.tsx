@@ -6,6 +6,7 @@ import { sentence } from "../../ui/words/sentence.ts";
 import { FailsafeSummary } from "../failsafes/failsafe_summary.tsx";
 import { faulted, robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session/session.ts";
+import { PlaceValue } from "./place_value.tsx";
 import { ReplaceButton } from "./replace_button.tsx";
 import { SaidThere } from "./said.tsx";
 import { useMissing } from "./use_missing.ts";
@@ -56,7 +57,7 @@ export function RobotFacts({ id }: { id: number }) {
           ["Arrives", arrives],
           ["Speed", `${detail.speed.toFixed(2)} m/s`],
           ["Heading", headingDegrees(detail.heading)],
-          ["Place", `${detail.x.toFixed(1)}, ${detail.y.toFixed(1)} m`],
+          ["Place", <PlaceValue key="place" at={detail} />],
           ["Off its station", detail.station ? distance(detail.stationError) : "–"],
           ["Driven", distance(detail.distanceDriven)],
           ["Contacts", String(detail.contacts)],

@@ -4,7 +4,12 @@ import { readMapSettings } from "./map_settings.ts";
 
 describe("the stored look of the map", () => {
   it("comes back, but for the theme", () => {
-    const stored = { ...withLayer(kDefaultSettings, "grid", false), trails: "stay" as const, theme: "dark" as const };
+    const stored = {
+      ...withLayer(kDefaultSettings, "grid", false),
+      trails: "stay" as const,
+      notation: "mgrs" as const,
+      theme: "dark" as const,
+    };
     expect(readMapSettings(JSON.parse(JSON.stringify(stored)), kDefaultSettings)).toEqual({
       ...stored,
       theme: "light",
@@ -15,7 +20,7 @@ describe("the stored look of the map", () => {
       null,
       7,
       { trails: "smoke", robotScale: "big", layers: { grid: 3, moon: true } },
-      { robotScale: -4 },
+      { robotScale: -4, notation: "stars" },
     ]) {
       expect(readMapSettings(junk, kDefaultSettings)).toEqual(kDefaultSettings);
     }

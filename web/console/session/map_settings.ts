@@ -1,6 +1,7 @@
 // How the map looked the last time, read back with care: what was stored may be of another version.
 
 import type { LayerName, MapSettings } from "../../core/map_settings.ts";
+import { kPlaceNotations } from "../../core/place_notation.ts";
 import { isRecord } from "../../core/stored.ts";
 
 /** What is stored and fits, over `fallback`. The theme is the shell's business. */
@@ -16,6 +17,7 @@ export function readMapSettings(stored: unknown, fallback: MapSettings): MapSett
 const kChoices: Partial<Record<keyof MapSettings, readonly unknown[]>> = {
   trails: ["fade", "stay"],
   robotLabels: ["none", "selected", "all"],
+  notation: kPlaceNotations.map(([notation]) => notation),
   renderer: ["auto", "webgl", "canvas"],
 };
 

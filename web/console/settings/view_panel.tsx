@@ -2,6 +2,8 @@
 
 import { useState } from "react";
 import { kLayers, type MapSettings, withLayer } from "../../core/map_settings.ts";
+import { kPlaceNotations, type PlaceNotation } from "../../core/place_notation.ts";
+import { Choice } from "../../ui/controls/choice.tsx";
 import { RangeSlider, Segments, Switch } from "../../ui/controls/controls.tsx";
 import type { ThemeChoice } from "../../ui/controls/theme.ts";
 import { askForCalls } from "../calls/calls.ts";
@@ -22,6 +24,7 @@ export function ViewPanel() {
     <div className="rows tab-body">
       <Colours />
       <MapLook map={map} edit={edit} />
+      <Places map={map} edit={edit} />
       <RobotScale />
       <CallsSwitch />
       <Layers map={map} edit={edit} />
@@ -96,12 +99,29 @@ function MapLook({ map, edit }: MapProps) {
   );
 }
 
+function Places({ map, edit }: MapProps) {
+  const hasProjection = usePart("scene")?.projection !== undefined;
+  return (
+    <>
+      <Choice
+        label="Places"
+        value={map.notation}
+        choices={kPlaceNotations}
+        isDisabled={!hasProjection}
+        onChange={(notation) => edit("notation of places", { notation: notation as PlaceNotation })}
+      />
+      {!hasProjection && <p className="small muted">The overlay does not say where it lies (ORIGIN GEO).</p>}
+    </>
+  );
+}
+
 function Layers({ map, edit }: MapProps) {
+  const hasTiles = usePart("welcome")?.tiles !== undefined;
   return (
     <section aria-label="Layers">
       <h3>Layers</h3>
       {kLayers
-        .filter(([layer]) => layer !== "trails")
+        .filter(([layer]) => layer !== "trails" && (layer !== "tiles" || hasTiles))
         .map(([layer, name]) => (
           <Switch
             key={layer}

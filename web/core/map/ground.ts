@@ -15,12 +15,20 @@ import { fade } from "./palette.ts";
 import { crisp, fill, isOnScreen, stroke, trace, traceCircle, writeText } from "./strokes.ts";
 import type { MapPick, Pen } from "./tool.ts";
 
-export function drawGround(pen: Pen, model: Model, picture: HTMLImageElement | null, hover: MapPick | null): void {
+/** What lies below all that the overlay says. */
+export interface Below {
+  readonly picture: HTMLImageElement | null;
+  readonly tiles: { draw(pen: Pen): void } | null;
+}
+
+export function drawGround(pen: Pen, model: Model, below: Below, hover: MapPick | null): void {
   const scene = model.get("scene");
   const { layers } = model.get("map");
   drawArea(pen, scene);
+  below.tiles?.draw(pen);
   if (!scene) return;
-  if (layers.picture && picture) drawPicture(pen, scene, picture);
+  drawAreaEdge(pen, scene);
+  if (layers.picture && below.picture) drawPicture(pen, scene, below.picture);
   if (layers.grid) drawGrid(pen, scene);
   if (layers.measures) drawMeasures(pen, scene);
   if (layers.obstacles) drawObstacles(pen, scene);
@@ -51,8 +59,14 @@ function drawArea(pen: Pen, scene: Scene | null): void {
   const bottom = crisp(pen, camera.toScreenY(0));
   context.fillStyle = palette.ground;
   context.fillRect(left, top, right - left, bottom - top);
+}
+
+function drawAreaEdge(pen: Pen, scene: Scene): void {
+  const { context, camera, palette } = pen;
+  const left = crisp(pen, camera.toScreenX(0));
+  const top = crisp(pen, camera.toScreenY(scene.height));
   context.beginPath();
-  context.rect(left, top, right - left, bottom - top);
+  context.rect(left, top, crisp(pen, camera.toScreenX(scene.width)) - left, crisp(pen, camera.toScreenY(0)) - top);
   stroke(pen, { color: palette.areaEdge, width: 1 });
 }
 

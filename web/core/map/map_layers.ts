@@ -15,6 +15,7 @@ import { paletteOf } from "./palette.ts";
 import { PictureLoader } from "./picture.ts";
 import { kManyRobots, RobotLayer } from "./robot_layer.ts";
 import { drawStarts, startBoxes } from "./starts.ts";
+import { TileLayer } from "./tile_layer.ts";
 import type { Pen } from "./tool.ts";
 import { drawTop, isTopEmpty } from "./top.ts";
 import { TrailLayer } from "./trail_layer.ts";
@@ -46,6 +47,7 @@ export class MapLayers {
   private readonly robotLayer: RobotLayer;
   private readonly trailLayer: TrailLayer;
   private readonly picture: PictureLoader;
+  private readonly tiles: TileLayer;
   private labels: readonly PlacedLabel[] = [];
   private dirty = 0;
   private scheduled = 0;
@@ -65,7 +67,9 @@ export class MapLayers {
     this.robotLayer = new RobotLayer(map.host, () => this.change(Dirty.ROBOTS));
     this.top = this.addCanvas();
     this.top.style.zIndex = "2";
-    this.picture = new PictureLoader(options.pictureUrl ?? ((path) => path), () => this.change(Dirty.GROUND));
+    const addressOf = options.pictureUrl ?? ((path: string) => path);
+    this.picture = new PictureLoader(addressOf, () => this.change(Dirty.GROUND));
+    this.tiles = new TileLayer(map, addressOf, () => this.change(Dirty.GROUND));
   }
 
   statistics(): Statistics {
@@ -136,6 +140,7 @@ export class MapLayers {
   dispose(): void {
     cancelAnimationFrame(this.scheduled);
     this.robotLayer.dispose();
+    this.tiles.dispose();
     for (const canvas of [...this.map.host.querySelectorAll("canvas")]) canvas.remove();
   }
 
@@ -179,7 +184,7 @@ export class MapLayers {
     this.robotLayer.styles.update(this.map.model);
     const bodies = startBoxes(pen, this.map.model, this.robotLayer.styles);
     this.labels = scene ? placeMeasureLabels(pen, scene, settings, bodies) : [];
-    drawGround(pen, this.map.model, this.picture.image, this.map.hover);
+    drawGround(pen, this.map.model, { picture: this.picture.image, tiles: this.tiles }, this.map.hover);
     const above = this.pen(this.names);
     drawNames(above, this.labels);
     const taken = this.labels.map(({ box }) => box);

@@ -3,6 +3,7 @@
 import { Camera } from "../camera.ts";
 import type { Box, Point } from "../geometry.ts";
 import type { Model, Parts } from "../model.ts";
+import { placeText } from "../place_notation.ts";
 import type { MapItem } from "../selection.ts";
 import { Framing } from "./framing.ts";
 import { MapInput } from "./input.ts";
@@ -119,6 +120,12 @@ export class MapView {
     return () => this.listeners.delete(listener);
   }
 
+  /** The newest place under the pointer, as people read it; null: there was none yet. */
+  placeUnderPointer(): string | null {
+    const { place } = this.readout;
+    return place && placeText(this.model.get("scene"), place, this.model.get("map").notation, this.camera.scale);
+  }
+
   statistics(): Statistics {
     return this.layers.statistics();
   }
@@ -146,6 +153,7 @@ export class MapView {
       this.endings.push(this.model.subscribe(name, change));
     };
     part("scene", () => this.takeScene());
+    part("welcome", () => this.layers.change(Dirty.GROUND));
     part("roster", () => this.layers.change(Dirty.ALL));
     part("starts", () => this.layers.change(Dirty.GROUND | Dirty.TOP));
     part("map", () => this.layers.change(Dirty.ALL));

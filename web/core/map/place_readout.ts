@@ -1,6 +1,6 @@
 // Where the pointer is in the world, in the map's lower right corner.
-import { formatPlace } from "../format.ts";
 import type { Point } from "../geometry.ts";
+import { placeText, projectionOf } from "../place_notation.ts";
 import type { MapView } from "./map_view.ts";
 import { fade, paletteOf } from "./palette.ts";
 import { kSans } from "./strokes.ts";
@@ -10,6 +10,8 @@ const kEarthRadius = 6_371_000; // m
 export class PlaceReadout {
   private readonly element = document.createElement("div");
   private readonly abort = new AbortController();
+  /** The newest place under the pointer, also after that has left the map. */
+  place: Point | null = null;
 
   constructor(private readonly map: MapView) {
     this.element.className = "map-place";
@@ -31,7 +33,7 @@ export class PlaceReadout {
   }
 
   private show(event: PointerEvent): void {
-    const { layers, theme } = this.map.model.get("map");
+    const { layers, theme, notation } = this.map.model.get("map");
     if (!layers.decorations || event.pointerType === "touch") {
       this.hide();
       return;
@@ -39,14 +41,17 @@ export class PlaceReadout {
     const { camera, host, model } = this.map;
     const box = host.getBoundingClientRect();
     const world = camera.toWorld({ x: event.clientX - box.left, y: event.clientY - box.top });
-    const reference = model.get("scene")?.globalReference;
+    this.place = world;
+    const scene = model.get("scene");
+    // Historic maps say no more than where they are about.
+    const reference = projectionOf(scene) ? undefined : scene?.globalReference;
     const degrees = reference ? ` · ${formatDegrees(toDegrees(world, reference))}` : "";
     const { ground, ink, areaEdge } = paletteOf(theme);
     this.element.style.cssText =
       `position:absolute;z-index:3;right:10px;bottom:10px;padding:4px 9px;border-radius:8px;pointer-events:none;` +
       `font:500 11.5px ${kSans};font-variant-numeric:tabular-nums;white-space:nowrap;` +
       `color:${ink};background:${fade(ground, 0.92)};border:1px solid ${areaEdge}`;
-    this.element.textContent = `${formatPlace(world.x, world.y, camera.scale)}${degrees}`;
+    this.element.textContent = `${placeText(scene, world, notation, camera.scale)}${degrees}`;
   }
 }
 

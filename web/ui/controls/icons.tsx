@@ -2,6 +2,7 @@
 import type { ReactElement } from "react";
 
 const kPaths = {
+  copy: "M9 9h11v11H9zM5 15H4V4h11v1",
   menu: "M4 7h16M4 12h16M4 17h16",
   play: "M8 5.5v13l11-6.5z",
   play_back: "M16 5.5v13L5 12z",

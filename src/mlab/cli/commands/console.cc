@@ -50,6 +50,7 @@
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/metrics/process.h"
 #include "mlab/text/shown.h"
+#include "mlab/tiles/map_tiles.h"
 
 namespace mlab::cli {
 namespace {
@@ -309,6 +310,10 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
         console::Session::Picture picture = session.picture(revision);
         return console::Content{std::move(picture.content_type), std::move(picture.bytes)};
       },
+      [&](std::uint32_t zoom, std::uint32_t column, std::uint32_t row) {
+        console::Session::Picture square = session.tile(zoom, column, row);
+        return console::Content{std::move(square.content_type), std::move(square.bytes)};
+      },
       [&] { return session.report(); },
       [&](metrics::Exposition& out) {
         session.tell_metrics(out);
@@ -349,6 +354,26 @@ void tell_place(const documents::DraftPlace& place) {
         text::shown(path, 200));
 }
 
+// What the map is to lie on.
+// @return  false where that can't be; it is said
+bool open_tiles(const RunOptions& options, const Look& look, console::SessionSettings& settings) {
+  if (options.tiles.empty()) return true;
+  auto opened = tiles::MapTiles::open(options.tiles);
+  if (!opened) {
+    text::Diagnostics sink;
+    sink.report(std::move(opened.error()));
+    tell(sink);
+    return false;
+  }
+  settings.tiles = *std::move(opened);
+  if (look.mission && !look.mission->overlay.projection)
+    fmt::print(stderr,
+               "mlab: warning: --tiles: the map does not say where it lies on the Earth, so nothing is drawn "
+               "below it; "
+               "`ORIGIN GEO \"latitude longitude\"` in its overlay says that\n");
+  return true;
+}
+
 // The recording that another one is shown beside.
 // @return  the exit status where it can't be
 std::optional<int> open_against(const std::string& path, console::OpenRecording& out) {
@@ -381,6 +406,7 @@ int run_console(const RunOptions& options, const std::string& journal) {
   const Look look = look_at(options, manner->settings);
   if (!look.is_readable || !look.is_usable) return kBadInput;
   console::SessionSettings settings = session_settings(options, std::move(*manner));
+  if (!open_tiles(options, look, settings)) return kBadInput;
   if (!options.recording.empty()) {
     settings.recording = {fs::path(options.recording).stem().string(), read_history(options.recording),
                           options.recording};

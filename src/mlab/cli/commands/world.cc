@@ -13,6 +13,7 @@
 #include "mlab/base/counted.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/input.h"
+#include "mlab/cli/option_groups.h"
 #include "mlab/cli/places.h"
 #include "mlab/lang/odl/drawn_worlds.h"
 
@@ -38,6 +39,23 @@ std::string world_kinds_help() {
   std::string out = "what it is like:";
   for (const odl::WorldKindInfo& one : odl::kWorldKinds) out += fmt::format("\n  {}: {}", one.name, one.help);
   return out;
+}
+
+void add_world(CLI::App& app, WorldOptions& o) {
+  CLI::App* c = app.add_subcommand("world", kWorldDescription);
+  c->add_option("kind", o.kind, world_kinds_help())
+      ->required()
+      ->check(CLI::IsMember(world_kinds()))
+      ->type_name("KIND");
+  c->add_option("--seed", o.seed, "of the first map; the others follow")
+      ->capture_default_str()
+      ->type_name("N");
+  c->add_option("--count", o.count, "how many maps")
+      ->capture_default_str()
+      ->check(CLI::Range(1U, 100'000U))
+      ->type_name("N");
+  c->add_option("--folder", o.folder, "where to, made where it isn't there; other files are left alone")
+      ->type_name("FOLDER");
 }
 
 int draw_worlds(const WorldOptions& options) {

@@ -67,7 +67,7 @@ odl::NumberSyntax moved(const odl::NumberSyntax& was, double before, double afte
 odl::PointSyntax moved(const odl::PointSyntax& was, geom::Point before, geom::Point after,
                        geom::Offset origin) {
   if (is_same(before, after)) return was;
-  if (was.is_utm) return point(after, origin);
+  if (was.form != odl::PointForm::kMetres) return point(after, origin);
   const auto along = [](const odl::NumberSyntax& word, double from, double to) {
     return is_same(from, to) ? word : number(coordinate(to - (from - word.value)));
   };
@@ -78,7 +78,8 @@ odl::PointSyntax moved(const odl::PointSyntax& was, geom::Point before, geom::Po
 geom::Offset origin_by(const std::vector<odl::PointSyntax>& written, const std::vector<geom::Point>& before,
                        geom::Offset otherwise) {
   for (std::size_t i = 0; i < written.size(); ++i) {
-    if (!written[i].is_utm) return before[i] - geom::Point{written[i].x.value, written[i].y.value};
+    if (written[i].form == odl::PointForm::kMetres)
+      return before[i] - geom::Point{written[i].x.value, written[i].y.value};
   }
   return otherwise;
 }

@@ -218,6 +218,18 @@ TEST(OverlayEdit, MakesAMovedUtmPointMetres) {
   EXPECT_EQ(texts.map().measures[0].points[0], (geom::Point{12.5, -3}));
 }
 
+TEST(OverlayEdit, MakesAMovedPlaceOnTheEarthMetres) {
+  MapOfTexts texts("ORIGIN GEO \"33.7774 N 84.3973 W\"\n" + kHeader +
+                   "PP gate GEO \"33.7783 N 84.3973 W\" -- old\nPP parking GEO \"84.3962 W 33.7774 N\" 15\n");
+  Measure gate = texts.scene().measures(0);
+  gate.mutable_points(0)->set_x(12.5);
+  gate.mutable_points(0)->set_y(-3);
+  ASSERT_EQ(texts.change({replace(0, gate)}), "");
+  EXPECT_EQ(texts.overlay(), "ORIGIN GEO \"33.7774 N 84.3973 W\"\n" + kHeader +
+                                 "PP gate 12.5 -3 -- old\nPP parking GEO \"84.3962 W 33.7774 N\" 15\n");
+  EXPECT_EQ(texts.map().measures[0].points[0], (geom::Point{12.5, -3}));
+}
+
 TEST(OverlayEdit, ChangesHallwaysObstaclesAndObjects) {
   MapOfTexts texts(
       kHeader +

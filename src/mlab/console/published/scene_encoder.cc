@@ -20,6 +20,14 @@ void encode(geom::Point from, Point& to) {
   to.set_y(from.y);
 }
 
+void encode(const geography::Projection& from, Projection& to) {
+  to.set_semi_major(from.semi_major);
+  to.set_flattening(from.flattening);
+  to.set_scale(from.scale);
+  to.set_central_meridian(from.central_meridian_deg);
+  encode(geom::Point{} + from.origin, *to.mutable_origin());
+}
+
 template <class Message>
 void set_place(const PlaceOf& place_of, const text::Place& place, Message& to) {
   const DocumentPlace at = place_of(place);
@@ -128,6 +136,7 @@ Scene encode_scene(const overlay::Overlay& map, const PlaceOf& place_of) {
   }
   if (map.global_reference) encode(*map.global_reference, *out.mutable_global_reference());
   encode(geom::Point{} + map.origin, *out.mutable_origin());
+  if (map.projection) encode(*map.projection, *out.mutable_projection());
   return out;
 }
 

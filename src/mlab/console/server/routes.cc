@@ -1,6 +1,8 @@
 #include "mlab/console/server/routes.h"
 
+#include <array>
 #include <charconv>
+#include <cstdint>
 #include <optional>
 
 #include <fmt/core.h>
@@ -11,6 +13,7 @@ namespace {
 using Method = HttpRequest::Method;
 
 constexpr std::string_view kPicture = "/picture/";
+constexpr std::string_view kTiles = "/tiles/";
 
 HttpResponse say(std::string content_type, std::string text) {
   HttpResponse out;
@@ -29,7 +32,7 @@ std::optional<std::uint64_t> number(std::string_view text) {
 
 bool is_private(std::string_view path) {
   return path == "/session" || path == "/designer" || path == "/report" || path == "/stop" ||
-         path == "/health" || path == "/metrics" || path.starts_with(kPicture);
+         path == "/health" || path == "/metrics" || path.starts_with(kPicture) || path.starts_with(kTiles);
 }
 
 HttpResponse wrong_method(std::string allowed) {
@@ -38,16 +41,40 @@ HttpResponse wrong_method(std::string allowed) {
   return out;
 }
 
+// The token in its address is another one after the next start.
+HttpResponse kept_picture(Content content) {
+  HttpResponse out;
+  out.content_type = std::move(content.type);
+  out.body = std::move(content.bytes);
+  out.fields.emplace_back("Cache-Control", "private, max-age=86400");
+  return out;
+}
+
 HttpResponse picture(const ServerHandlers& handlers, std::string_view revision) {
   const std::optional<std::uint64_t> wanted = number(revision);
   Content content = wanted ? handlers.picture(*wanted) : Content{};
   if (!content.bytes) return refusal(404, "there is no picture of this revision");
-  HttpResponse out;
-  out.content_type = std::move(content.type);
-  out.body = std::move(content.bytes);
-  // The token in its address is another one after the next start.
-  out.fields.emplace_back("Cache-Control", "private, max-age=86400");
-  return out;
+  return kept_picture(std::move(content));
+}
+
+// Zoom, column and row, and nothing else.
+HttpResponse tile(const ServerHandlers& handlers, std::string_view square) {
+  std::array<std::uint64_t, 3> at{};
+  bool is_square = true;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const std::size_t end = i + 1 < at.size() ? square.find('/') : square.size();
+    const std::optional<std::uint64_t> one = number(square.substr(0, end));
+    is_square = is_square && end != std::string_view::npos && one && *one <= UINT32_MAX;
+    if (!is_square) break;
+    at[i] = *one;
+    square.remove_prefix(std::min(end + 1, square.size()));
+  }
+  Content content = is_square && handlers.tile
+                        ? handlers.tile(static_cast<std::uint32_t>(at[0]), static_cast<std::uint32_t>(at[1]),
+                                        static_cast<std::uint32_t>(at[2]))
+                        : Content{};
+  if (!content.bytes) return refusal(404, "there is no such tile");
+  return kept_picture(std::move(content));
 }
 
 HttpResponse metrics_of(const ServerHandlers& handlers) {
@@ -77,7 +104,8 @@ HttpResponse refusal(unsigned status, std::string text) {
 }
 
 bool Routes::may_wait(const HttpRequest& request) {
-  return request.path() == "/report" || request.path().starts_with(kPicture);
+  return request.path() == "/report" || request.path().starts_with(kPicture) ||
+         request.path().starts_with(kTiles);
 }
 
 HttpResponse Routes::answer(const HttpRequest& request, const ServerHandlers& handlers) const {
@@ -115,6 +143,7 @@ HttpResponse Routes::choose(const HttpRequest& request, const ServerHandlers& ha
     if (path == "/report") return say("application/json", handlers.report());
     if (path == "/health") return say("application/json", "{\"ok\": true}\n");
     if (path == "/metrics") return metrics_of(handlers);
+    if (path.starts_with(kTiles)) return tile(handlers, path.substr(kTiles.size()));
     if (path.starts_with(kPicture)) return picture(handlers, path.substr(kPicture.size()));
     if (path == "/designer" && !handlers.designer.receive)
       return refusal(404, "the designer is not open here; start it with `mlab edit`");

@@ -13,6 +13,7 @@ namespace mlab::console {
 ///     GET  /assets/...     what it loads
 ///     GET  /session        the WebSocket                              token
 ///     GET  /picture/N      the background picture of revision N       token
+///     GET  /tiles/Z/C/R    a square of the map of the Earth           token
 ///     GET  /report         what happened so far, JSON                 token
 ///     GET  /metrics        what a monitoring system is told           token
 ///     POST /stop           emergency stop                             token

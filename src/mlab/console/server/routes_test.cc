@@ -33,6 +33,10 @@ class RoutesOfAFolder : public testing::Test {
     handlers_.picture = [](std::uint64_t revision) {
       return revision == 7 ? Content{"image/png", std::make_shared<const std::string>("PNG")} : Content{};
     };
+    handlers_.tile = [](std::uint32_t zoom, std::uint32_t column, std::uint32_t row) {
+      const bool is_there = zoom == 5 && column == 17 && row == 11;
+      return is_there ? Content{"image/webp", std::make_shared<const std::string>("RIFF")} : Content{};
+    };
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -111,7 +115,7 @@ TEST_F(RoutesOfAFolder, NothingOutsideOfTheFolderIsReached) {
 }
 
 TEST_F(RoutesOfAFolder, EveryPrivateAddressWantsTheToken) {
-  for (const char* path : {"/session", "/report", "/health", "/picture/7"}) {
+  for (const char* path : {"/session", "/report", "/health", "/picture/7", "/tiles/5/17/11"}) {
     EXPECT_EQ(ask(path).status, 403U) << path;
     EXPECT_NE(ask(std::string(path) + "?token=secret").status, 403U) << path;
     EXPECT_EQ(ask(std::string(path) + "?token=secret", Method::kPost).status, 405U) << path;
@@ -144,6 +148,17 @@ TEST_F(RoutesOfAFolder, PicturesAreAskedByRevision) {
   for (const char* path : {"/picture/8", "/picture/", "/picture/-7", "/picture/7x", "/picture/../7",
                            "/picture/99999999999999999999999"})
     EXPECT_EQ(ask(std::string(path) + "?token=secret").status, 404U) << path;
+}
+
+TEST_F(RoutesOfAFolder, TilesAreAskedBySquareWhereThereAreAny) {
+  EXPECT_EQ(body(ask("/tiles/5/17/11?token=secret")), "RIFF");
+  EXPECT_EQ(ask("/tiles/5/17/11?token=secret").content_type, "image/webp");
+  for (const char* path :
+       {"/tiles/", "/tiles/5", "/tiles/5/17", "/tiles/5/17/", "/tiles/5/17/11/", "/tiles/5/17/11/1",
+        "/tiles/5//11", "/tiles/-5/17/11", "/tiles/5/17/4294967307", "/tiles/a/b/c", "/tiles/6/17/11"})
+    EXPECT_EQ(ask(std::string(path) + "?token=secret").status, 404U) << path;
+  handlers_.tile = {};
+  EXPECT_EQ(ask("/tiles/5/17/11?token=secret").status, 404U);
 }
 
 TEST_F(RoutesOfAFolder, ASessionIsAnUpgradeAndNothingElse) {

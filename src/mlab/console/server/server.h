@@ -38,13 +38,15 @@ struct SocketHandlers {
   std::function<void(ConnectionId)> closed;
 };
 
-/// What the server calls. `picture` and `report` come from a thread of their own, and may wait; the others
-/// come from its network thread and must not block.
+/// What the server calls. `picture`, `tile` and `report` come from a thread of their own, and may wait; the
+/// others come from its network thread and must not block.
 struct ServerHandlers {
   SocketHandlers session;
   SocketHandlers designer;  ///< of `/designer`; none: there is no designer
   std::function<void()> emergency_stop;
   std::function<Content(std::uint64_t revision)> picture;
+  /// A square of the map of the Earth; none: there is no such map.
+  std::function<Content(std::uint32_t zoom, std::uint32_t column, std::uint32_t row)> tile;
   std::function<std::string()> report;                ///< JSON
   std::function<void(metrics::Exposition&)> metrics;  ///< what is told beside what the server knows itself
 };

@@ -48,6 +48,17 @@ Welcome welcome_of(const SessionSettings& settings) {
   out.set_version(settings.version);
   out.set_session(fmt::format("{:08x}", std::random_device{}()));
   out.set_may_compile(settings.permission.takes_new_code());
+  if (settings.tiles) {
+    const tiles::Description& map = settings.tiles->description();
+    Tiles& tiles = *out.mutable_tiles();
+    tiles.set_least_zoom(static_cast<std::uint32_t>(map.least_zoom));
+    tiles.set_most_zoom(static_cast<std::uint32_t>(map.most_zoom));
+    tiles.set_south(map.south);
+    tiles.set_west(map.west);
+    tiles.set_north(map.north);
+    tiles.set_east(map.east);
+    tiles.set_attribution(map.attribution);
+  }
   return out;
 }
 
@@ -112,6 +123,12 @@ mdl::LoadOptions SessionCore::load_options() const {
 }
 
 // ---- from any thread
+
+Session::Picture SessionCore::tile(std::uint32_t zoom, std::uint32_t column, std::uint32_t row) const {
+  if (!settings_.tiles) return {};
+  tiles::Tile tile = settings_.tiles->find(zoom, column, row);
+  return {std::move(tile.content_type), std::move(tile.bytes)};
+}
 
 void SessionCore::receive(ConnectionId from, std::unique_ptr<ToServer> message) {
   if (message->has_emergency_stop()) emergency_stop();  // overtakes whatever waits before it

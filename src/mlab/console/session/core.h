@@ -48,6 +48,7 @@ class SessionCore {
   void try_out(Trial trial, TrialDone done);
   void look_at_run(RunLook look);
   Session::Picture picture(std::uint64_t revision) const { return picture_.find(revision); }
+  Session::Picture tile(std::uint32_t zoom, std::uint32_t column, std::uint32_t row) const;
   std::string report();
   void tell_metrics(metrics::Exposition& out) const { measuring_.tell(out); }
   std::vector<std::string> end();

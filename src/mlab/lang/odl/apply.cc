@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/geography/place_text.h"
 #include "mlab/lang/odl/companions.h"
 #include "mlab/lang/odl/limits.h"
 #include "mlab/lang/odl/odl.h"
@@ -96,6 +97,7 @@ class Applier {
       case Keyword::kLat:
       case Keyword::kLon:
       case Keyword::kUtm:
+      case Keyword::kGeo:
       case Keyword::kCenterline:
       case Keyword::kWidth:
       case Keyword::kExtents:
@@ -154,7 +156,8 @@ class Applier {
   }
 
   std::optional<geom::Point> point(const PointSyntax& p) {
-    if (p.is_utm) return utm_point(p);
+    if (p.form == PointForm::kUtm) return utm_point(p);
+    if (p.form == PointForm::kGeo) return earth_point(p);
     const auto x = in_range(p.x, -kMaxCoordinate, kMaxCoordinate, "a coordinate in metres");
     const auto y = in_range(p.y, -kMaxCoordinate, kMaxCoordinate, "a coordinate in metres");
     if (!x || !y) return std::nullopt;
@@ -165,6 +168,7 @@ class Applier {
     const std::optional<overlay::GeoPoint> place = geo_point(p);
     if (!place) return std::nullopt;
     if (!into_.utm_origin) {
+      if (into_.projection) return within_reach(p, *place);
       warn_without_origin(p);
       return geom::Point{} +
              (overlay::utm_project(*place, overlay::utm_zone(place->longitude_deg)) - into_.origin);
@@ -179,6 +183,38 @@ class Applier {
       return std::nullopt;
     }
     return geom::Point{} + (overlay::utm_project(*place, zone) - into_.utm_origin->offset);
+  }
+
+  // What stands in the quotes of GEO; an error and nothing where that is no place.
+  std::optional<overlay::GeoPoint> earth_place(const PointSyntax& p) {
+    std::string_view written = source_->text(p.x.span).substr(1);
+    if (written.ends_with('"')) written.remove_suffix(1);
+    const text::Result<overlay::GeoPoint> place = geography::read_place(written);
+    if (place) return *place;
+    sink_.error("unreadable-place", place_of(p.x.span), place.error().message).label = place.error().label;
+    return std::nullopt;
+  }
+
+  std::optional<geom::Point> earth_point(const PointSyntax& p) {
+    if (!into_.projection) {
+      sink_
+          .error("place-without-origin", place_of(p.x.span),
+                 "a place on the Earth, on a map without an origin there")
+          .label = "`ORIGIN GEO \"place\"` says where the map's (0, 0) lies";
+      return std::nullopt;
+    }
+    const std::optional<overlay::GeoPoint> place = earth_place(p);
+    return place ? within_reach(p, *place) : std::nullopt;
+  }
+
+  std::optional<geom::Point> within_reach(const PointSyntax& p, overlay::GeoPoint place) {
+    const double far = geography::distance_on_earth(into_.projection->to_earth({}), place);
+    if (far <= geography::kReach) return into_.projection->to_world(place);
+    sink_
+        .error("place-too-far", place_of({p.x.span.begin, p.x.span.end}),
+               fmt::format("a place {:.0f} km from the map's origin", far / 1000.0))
+        .label = fmt::format("a map has places within {:g} km", geography::kReach / 1000.0);
+    return std::nullopt;
   }
 
   void warn_without_origin(const PointSyntax& p) {
@@ -203,11 +239,20 @@ class Applier {
   // --- information ---
 
   void set_origin(const PointSyntax& p) {
-    if (p.is_utm) {
+    if (p.form == PointForm::kGeo) {
+      const std::optional<overlay::GeoPoint> place = earth_place(p);
+      if (!place) return;
+      into_.projection = geography::Projection::around(*place);
+      into_.utm_origin.reset();
+      into_.origin = {};
+      return;
+    }
+    if (p.form == PointForm::kUtm) {
       const std::optional<overlay::GeoPoint> place = geo_point(p);
       if (!place) return;
       const int zone = overlay::utm_zone(place->longitude_deg);
       into_.utm_origin = overlay::UtmOrigin{zone, overlay::utm_project(*place, zone)};
+      into_.projection = geography::Projection::historic_grid(zone, into_.utm_origin->offset);
       into_.origin = {};
       return;
     }
@@ -215,6 +260,7 @@ class Applier {
     if (const std::optional<geom::Point> at = point(p)) {
       into_.origin = *at - geom::Point{};
       into_.utm_origin.reset();
+      into_.projection.reset();
     }
   }
 

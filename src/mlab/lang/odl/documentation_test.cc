@@ -32,7 +32,7 @@ std::vector<text::SourcePtr> examples(const std::string& language) {
 
 TEST(OdlPage, HasExamplesThatParseWithoutAComplaint) {
   const auto found = examples("odl");
-  EXPECT_EQ(found.size(), 3U);
+  EXPECT_EQ(found.size(), 4U);
   for (const text::SourcePtr& source : found) {
     text::Diagnostics sink;
     overlay::Overlay overlay;

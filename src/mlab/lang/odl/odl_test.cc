@@ -258,6 +258,72 @@ TEST(OdlUtm, HasNoSeamWhereTwoZonesMeet) {
   EXPECT_NEAR(geom::length(at - geom::Point{}), 170.8, 0.5);
 }
 
+constexpr std::string_view kVienna = "ORIGIN GEO \"48.2082 N 16.3738 E\" CONTROL MEASURES: ";
+
+TEST(OdlGeo, PutsPlacesWhereTheyLieFromTheOrigin) {
+  // The origin is 602065.207 m east and 5340353.594 m north in zone 33, whose grid lies 1.02 degrees off
+  // there.
+  const Loaded l =
+      load(std::string(kVienna) +
+           "PP here GEO \"48.2082 N 16.3738 E\" 5 PP east GEO \"48°12'29.52'' N 16.3751 E\" "
+           "PP utm GEO \"33N 602165.207 5340353.594\" PP mgrs GEO \"33UXP0206540353\" PP plain 30 40");
+  EXPECT_EQ(text::render(l.sink), "");
+  const auto& m = l.overlay.measures;
+  EXPECT_LT(distance(m[0].points[0], {0, 0}), 1e-6);
+  EXPECT_EQ(m[0].size, 5.0);
+  EXPECT_NEAR(m[1].points[0].x, 96.6, 0.1);
+  EXPECT_NEAR(m[1].points[0].y, 0.0, 0.01);
+  EXPECT_NEAR(distance(m[2].points[0], {0, 0}), 100.0, 0.05);
+  EXPECT_NEAR(base::degrees(std::atan2(m[2].points[0].y, m[2].points[0].x)), -1.02, 0.01);
+  EXPECT_NEAR(distance(m[3].points[0], {0, 0}), std::hypot(0.207, 0.594), 0.01);
+  EXPECT_EQ(m[4].points[0], (geom::Point{30, 40}));
+}
+
+TEST(OdlGeo, StandsWhereverAPointMay) {
+  const Loaded l =
+      load(std::string(kVienna) +
+           "AA a GEO \"48.2082 16.3738\" 10 20 GEO \"48.2083 16.3738\" 7\n"
+           "HALLWAY h CENTERLINE GEO \"48.2082 16.3738\" 10 0 WIDTH 2 EXTENTS 0 1 GEO \"48.2082 16.3738\"\n"
+           "OBSTACLE GEO \"48.2082 16.3738\" 2 ROUTE 5 5 GEO \"48.2083 16.3738\" SPEED 1\n"
+           "OBJECT GEO \"48.2082 16.3738\" 1 FIXED red FLAG GEO \"48.2082 16.3738\"");
+  EXPECT_EQ(text::render(l.sink), "");
+  EXPECT_EQ(l.overlay.measures[0].points.size(), 3U);
+  EXPECT_EQ(l.overlay.measures[0].size, 7.0);
+  EXPECT_EQ(l.overlay.measures[1].points.size(), 2U);
+  EXPECT_NEAR(l.overlay.obstacles[0].route[1].y, 11.12, 0.01);
+  EXPECT_EQ(l.overlay.objects.size(), 2U);
+}
+
+TEST(OdlGeo, TakesDegreesOfUtmPointsToTheSamePlace) {
+  const Loaded l = load(std::string(kVienna) +
+                        "PP a UTM LAT 48.21 LON 16.38 PP b GEO \"48.21 16.38\" PP c UTM LON 16.38 LAT 48.21");
+  EXPECT_EQ(text::render(l.sink), "");
+  EXPECT_EQ(l.overlay.measures[0].points, l.overlay.measures[1].points);
+  EXPECT_EQ(l.overlay.measures[0].points, l.overlay.measures[2].points);
+}
+
+TEST(OdlGeo, IsFoundOnHistoricMapsToo) {
+  const Loaded l = load(
+      "ORIGIN UTM LAT 33.7774 LON -84.3973 CONTROL MEASURES: PP a UTM LAT 33.7783 LON -84.3962 "
+      "PP b GEO \"33.7783 N 84.3962 W\"");
+  EXPECT_EQ(text::render(l.sink), "");
+  EXPECT_LT(distance(l.overlay.measures[0].points[0], l.overlay.measures[1].points[0]), 0.001);
+  EXPECT_NEAR(l.overlay.projection->to_earth({}).latitude_deg, 33.7774, 1e-8);
+}
+
+TEST(OdlGeo, StaysForTheNextOverlayUntilAPlainOrigin) {
+  const Loaded first = load(std::string(kVienna));
+  const Loaded second = load("SITE x CONTROL MEASURES: PP b GEO \"48.2082 16.3738\"", first.overlay);
+  EXPECT_EQ(second.overlay.measures.size(), 1U);
+  EXPECT_FALSE(load("ORIGIN 1 2 CONTROL MEASURES:", first.overlay).overlay.projection);
+}
+
+TEST(OdlGeo, IsANameWhereOneStands) {
+  const Loaded l = load("CONTROL MEASURES: PP GEO 1 2 AA geo 3 4");
+  EXPECT_EQ(text::render(l.sink), "");
+  EXPECT_EQ(l.overlay.measures[0].name, "GEO");
+}
+
 TEST(OdlParser, ReadsTheOverlayOfTheReport) {
   const Loaded l = load(
       "SCENARIO \"example1\"\nSITE \"Robot Lab, MARC 362\"\nCONTROL MEASURES:\n\n"

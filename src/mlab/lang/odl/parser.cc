@@ -60,7 +60,9 @@ class Parser {
     return tree_.tokens[std::min(at_ + ahead, tree_.tokens.size() - 1)];
   }
   std::string_view text_of(const Token& token) const { return tree_.source->text(token.span); }
-  bool is_value(const Token& t) const { return t.kind == TokenKind::kNumber || t.keyword == Keyword::kUtm; }
+  bool is_value(const Token& t) const {
+    return t.kind == TokenKind::kNumber || t.keyword == Keyword::kUtm || t.keyword == Keyword::kGeo;
+  }
   text::Place place_of(text::Span span) const { return {tree_.source, span}; }
 
   // Just behind the last token that was taken: where something is missing.
@@ -388,8 +390,11 @@ class Parser {
     PointSyntax point;
     point.first_token = static_cast<std::uint32_t>(at_);
     if (peek().keyword == Keyword::kUtm) {
-      point.is_utm = true;
+      point.form = PointForm::kUtm;
       if (!parse_degrees(point)) return false;
+    } else if (peek().keyword == Keyword::kGeo) {
+      point.form = PointForm::kGeo;
+      if (!parse_place(point)) return false;
     } else {
       if (peek().kind != TokenKind::kNumber)
         return fail_expected("expected-number", "the x coordinate of a point");
@@ -399,6 +404,18 @@ class Parser {
       point.y = number();
     }
     out.push_back(point);
+    return true;
+  }
+
+  // GEO "place". What the place says is looked at when the tree is applied.
+  bool parse_place(PointSyntax& out) {
+    ++at_;
+    if (peek().kind != TokenKind::kString) {
+      fail_expected("expected-place", "a place in quotes");
+      add_hint("a place is `GEO \"48.2 N 16.4 E\"`, or UTM or MGRS in the quotes");
+      return false;
+    }
+    out.x.span = out.y.span = tree_.tokens[at_++].span;
     return true;
   }
 

@@ -94,7 +94,7 @@ class Printer {
   }
 
   std::size_t point_length(std::uint32_t first, const PointSyntax& point) const {
-    const std::uint32_t count = point.is_utm ? 5 : 2;
+    const std::uint32_t count = token_count(point.form);
     std::size_t length = count - 1;
     for (std::uint32_t i = first; i < first + count; ++i) length += text_of(i).size();
     return length;

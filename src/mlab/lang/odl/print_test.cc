@@ -69,6 +69,7 @@ std::string random_overlay() {
                                                         "site x",
                                                         "ORIGIN -5 +5.5",
                                                         "ORIGIN UTM LAT 33.7 LON -84.4",
+                                                        "ORIGIN GEO \"33.7 N 84.4 W\"",
                                                         "HEADING 90",
                                                         "SET ZOOM-FACTOR 50",
                                                         "MISSION-AREA 100. .5e3",
@@ -92,6 +93,8 @@ std::string random_overlay() {
       "LD/LC e 1 2",
       "ROAD r 1 2 3 4 5",
       "PL u UTM LAT 33.7 LON -84.4 UTM LON -84.4 LAT 33.7",
+      "PL v GEO \"33.7 N 84.4 W\" 1 2 geo \"16SGC4072331003\"",
+      "obstacle geo \"33.7 -84.4\" 3 Route 4 5 GEO \"33.7 N 84.4 W\" speed 1.5",
       "SP s 1 2",
       "WAYPOINT-FILE \"w\""};
   static const std::vector<std::string> kSpaces = {

@@ -9,7 +9,8 @@ namespace {
 constexpr std::array kBeforeFeatures = {
     Word{Keyword::kScenario, "SCENARIO", "", "`SCENARIO name`: a title"},
     Word{Keyword::kSite, "SITE", "", "`SITE name`: where it is"},
-    Word{Keyword::kOrigin, "ORIGIN", "", "`ORIGIN x y`: added to all coordinates that follow"},
+    Word{Keyword::kOrigin, "ORIGIN", "",
+         "`ORIGIN x y`: added to all coordinates that follow; `ORIGIN GEO place`: where (0, 0) lies"},
     Word{Keyword::kGlobalRefPoint, "GLOBAL_REF_POINT", "",
          "`GLOBAL_REF_POINT latitude longitude` in degrees"},
     Word{Keyword::kHeading, "HEADING", "", "`HEADING degrees`: of all robots at the start"},
@@ -29,6 +30,7 @@ constexpr std::array kBehindMeasures = {
          "`OBSTACLE x y radius [height] [ROUTE x y ... SPEED number]`: solid"},
     Word{Keyword::kWaypointFile, "WAYPOINT-FILE", "", "`WAYPOINT-FILE file`: features from another file"},
     Word{Keyword::kUtm, "UTM", "", "the point in degrees: `UTM LAT degrees LON degrees`"},
+    Word{Keyword::kGeo, "GEO", "", "the point on the Earth: `GEO \"48.2 N 16.4 E\"`, or in UTM or MGRS"},
     Word{Keyword::kLat, "LAT", "", "degrees north"},
     Word{Keyword::kLon, "LON", "", "degrees east"},
     Word{Keyword::kMovable, "MOVABLE", "", "can be carried"},

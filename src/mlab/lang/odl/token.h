@@ -37,6 +37,7 @@ enum class Keyword : std::uint8_t {
   kLat,
   kLon,
   kUtm,
+  kGeo,
   kCenterline,
   kWidth,
   kExtents,

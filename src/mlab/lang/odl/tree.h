@@ -16,11 +16,21 @@ struct NumberSyntax {
   text::Span span;
 };
 
-/// Plain coordinates, or `UTM LAT y LON x` in degrees.
+/// How a point is written.
+enum class PointForm : std::uint8_t {
+  kMetres,  ///< `x y`
+  kUtm,     ///< `UTM LAT y LON x`, in degrees
+  kGeo,     ///< `GEO "place"`
+};
+/// How many tokens that takes.
+constexpr std::uint32_t token_count(PointForm form) {
+  return form == PointForm::kUtm ? 5 : 2;
+}
+
 struct PointSyntax {
-  NumberSyntax x;
+  NumberSyntax x;  ///< of GEO, only the span is meant, in x and y: the quoted place's
   NumberSyntax y;
-  bool is_utm = false;
+  PointForm form = PointForm::kMetres;
   std::uint32_t first_token = 0;  ///< index into Tree::tokens
 };
 

@@ -12,8 +12,6 @@
 namespace mlab::odl {
 namespace {
 
-constexpr std::uint32_t kTokensOfUtm = 5;  // UTM LAT a LON b
-
 bool stands(text::Span span) {
   return span.end > span.begin;
 }
@@ -105,9 +103,11 @@ class Writer {
   }
   void add(const std::vector<PointSyntax>& points) {
     for (const PointSyntax& point : points) {
-      for (std::uint32_t i = 0; point.is_utm && i < kTokensOfUtm; ++i)
-        add(tree_.tokens[point.first_token + i].span, "");
-      if (point.is_utm) continue;
+      if (point.form != PointForm::kMetres) {
+        for (std::uint32_t i = 0; i < token_count(point.form); ++i)
+          add(tree_.tokens[point.first_token + i].span, "");
+        continue;
+      }
       add(point.x);
       add(point.y);
     }

@@ -19,7 +19,7 @@ std::string written_name(const std::string& name);
 
 /// The words that say a statement, in the order of its rule. Those of its parts that have a span stand there
 /// already, and so do the keyword and the words inside of it as far as they are among the tokens of `tree`
-/// that the statement names; all others are new. A point in degrees is never new.
+/// that the statement names; all others are new. A point in degrees or of GEO is never new.
 std::vector<text::Word> words_of(const Statement& statement, const Tree& tree);
 
 /// A statement that stands nowhere yet, on one line.

@@ -24,6 +24,9 @@ std::string meaning_of(const Tree& tree) {
   std::string out = fmt::format("{}|{}|{} {}|{}|{}|{}", o.scenario, o.site, o.origin.x, o.origin.y, o.heading,
                                 o.map_file, sink.error_count());
   if (o.utm_origin) out += fmt::format("|utm {} {}", o.utm_origin->offset.x, o.utm_origin->offset.y);
+  if (o.projection)
+    out += fmt::format("|earth {} {} {}", o.projection->central_meridian_deg, o.projection->origin.x,
+                       o.projection->origin.y);
   if (o.area) out += fmt::format("|area {} {}", o.area->width, o.area->height);
   if (o.global_reference) out += fmt::format("|ref {} {}", o.global_reference->x, o.global_reference->y);
   if (o.height_map)
