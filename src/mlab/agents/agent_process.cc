@@ -346,8 +346,8 @@ class AgentProcess {
   Clock::time_point next_presence_;
   Load said_load_;
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
-  std::set<Key> greeted_;  // whose beginning was told
-  std::set<Key> parted_;   // and whose end
+  std::set<Key> greeted_;               // whose beginning was told
+  std::set<Key> parted_;                // and whose end
   std::unique_ptr<Companion> vehicle_;  // null: it is no vehicle's
 };
 

@@ -110,11 +110,10 @@ class Recruits {
           "`{}` {}", host,
           named->said.has_vehicle()
               ? (period_ > 0.0 ? "is a vehicle, which has joined after the run began: start the run anew"
-                             : "is a vehicle, which --real-time drives")
-          : named->said.has_offered()
-              ? fmt::format("carries robots of the executable `{}`, and no others",
-                            named->said.offered().name())
-              : "carries robots that are built from text, and no executables");
+                               : "is a vehicle, which --real-time drives")
+          : named->said.has_offered() ? fmt::format("carries robots of the executable `{}`, and no others",
+                                                    named->said.offered().name())
+                                      : "carries robots that are built from text, and no executables");
     if (program.executable)
       return fmt::format("{} in the fleet `{}` offers `{}`: there, `{} --fleet {}{}` does", who, fleet,
                          text::shown(program.executable->name),

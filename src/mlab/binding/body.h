@@ -102,8 +102,8 @@ struct Capabilities {
 
 /// Those of a body that is as the mission wants it.
 constexpr Capabilities capabilities_of(const BodySpec& spec) {
-  return {spec.radius, spec.ring.count, spec.kinematics.max_speed, spec.kinematics.max_turn_rate, {},
-          spec.has_ring_obstacles};
+  return {spec.radius, spec.ring.count,        spec.kinematics.max_speed, spec.kinematics.max_turn_rate,
+          {},          spec.has_ring_obstacles};
 }
 
 /// A body to be put into the world.

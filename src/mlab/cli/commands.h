@@ -159,13 +159,13 @@ int agent(const AgentOptions& options);
 
 struct RobotOptions {
   NetworkOptions network;
-  std::string name;           ///< in the fleet; empty: the machine's
-  std::string binding;        ///< the kind of vehicle
-  std::string device;         ///< where it is connected, where its kind wants that
-  std::string world;          ///< overlay, of a simulated one
-  std::array<double, 3> at{};  ///< where that starts [m, m, deg]
-  std::uint64_t seed = 1;      ///< of its noise
-  std::string key_file;        ///< of a mavlink one: holds the key that all is signed with
+  std::string name;                             ///< in the fleet; empty: the machine's
+  std::string binding;                          ///< the kind of vehicle
+  std::string device;                           ///< where it is connected, where its kind wants that
+  std::string world;                            ///< overlay, of a simulated one
+  std::array<double, 3> at{};                   ///< where that starts [m, m, deg]
+  std::uint64_t seed = 1;                       ///< of its noise
+  std::string key_file;                         ///< of a mavlink one: holds the key that all is signed with
   std::optional<std::array<double, 2>> origin;  ///< likewise: of its own frame, in the world [m]
   std::optional<double> radius;                 ///< of a vehicle that does not say so itself [m]
   std::optional<double> max_speed;              ///< likewise [m/s]

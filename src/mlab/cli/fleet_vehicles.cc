@@ -17,7 +17,7 @@
 namespace mlab::cli {
 namespace {
 
-constexpr std::chrono::seconds kFindingPatience(5);   // for a member that a mission names
+constexpr std::chrono::seconds kFindingPatience(5);          // for a member that a mission names
 constexpr std::chrono::milliseconds kHearingPatience(2000);  // for a vehicle to say where it is
 
 /// The vehicles of a fleet, as runs in this process know them.
@@ -56,8 +56,8 @@ class FleetVehicles {
       if (line) crewed.push_back({name, *limits, std::move(*line)});
     }
     if (crewed.empty()) return simulated;
-    const std::uint64_t session = base::hash_text(
-        roster_->participant().guid().text() + "/" + std::to_string(++sessions_));
+    const std::uint64_t session =
+        base::hash_text(roster_->participant().guid().text() + "/" + std::to_string(++sessions_));
     return std::make_unique<vehicle::Bodies>(std::move(simulated), std::move(crewed), session | 1U);
   }
 

@@ -21,7 +21,8 @@ void add_robot(CLI::App& app, RobotOptions& o) {
                 "of this vehicle in the fleet, which NEW-ROBOT names as host (default: the machine's)")
       ->check(refuse_unless_name)
       ->type_name("NAME");
-  c->add_option("--device", o.device, "where the vehicle is connected: serial:/dev/ttyUSB0:57600, tcp:HOST:PORT, udp:PORT, "
+  c->add_option("--device", o.device,
+                "where the vehicle is connected: serial:/dev/ttyUSB0:57600, tcp:HOST:PORT, udp:PORT, "
                 "udp:HOST:PORT")
       ->check(refuse_if_empty)
       ->type_name("ADDRESS");
@@ -33,8 +34,9 @@ void add_robot(CLI::App& app, RobotOptions& o) {
       ->default_str("0,0,0")
       ->type_name("PLACE");
   c->add_option("--seed", o.seed, "simulated: of its noise")->capture_default_str()->type_name("N");
-  c->add_option("--key-file", o.key_file,
-                "mavlink: file with the key that all is signed with: 64 hexadecimal digits, or passphrase:WORDS")
+  c->add_option(
+       "--key-file", o.key_file,
+       "mavlink: file with the key that all is signed with: 64 hexadecimal digits, or passphrase:WORDS")
       ->check(CLI::ExistingFile)
       ->type_name("FILE");
   c->add_option("--origin", o.origin,

@@ -55,7 +55,8 @@ std::string lack_of_device(const RobotOptions& options) {
 std::expected<std::unique_ptr<vehicle::Stream>, std::string> stream_to(const RobotOptions& options) {
   if (std::string lack = lack_of_device(options); !lack.empty()) return std::unexpected(std::move(lack));
   const auto address = vehicle::parse_address(options.device);
-  if (!address) return std::unexpected(fmt::format("--device {}: {}", options.device, address.error().message));
+  if (!address)
+    return std::unexpected(fmt::format("--device {}: {}", options.device, address.error().message));
   return vehicle::make_stream(*address);
 }
 
@@ -106,7 +107,8 @@ constexpr std::array kKinds = {
          "a rover under ArduPilot (--device, --key-file, --origin, --radius, --max-speed, --max-turn-rate); "
          "docs/mavlink.md",
          make_mavlink},
-    Kind{"mrv2", "a Denning MRV-2 (--device, --max-speed, --max-turn-rate); docs/vehicles_mrv2.md", make_mrv2},
+    Kind{"mrv2", "a Denning MRV-2 (--device, --max-speed, --max-turn-rate); docs/vehicles_mrv2.md",
+         make_mrv2},
     Kind{"text-rover",
          "a rover that is spoken with in lines of text, the example of docs/adding_a_vehicle.md (--device, "
          "--max-speed, --max-turn-rate)",

@@ -141,9 +141,8 @@ std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, ge
 
 std::expected<binding::Placement, std::string> Fleet::embody(FleetRobot& robot, geom::Pose pose) {
   if (robot.life != RobotLife::kNotStarted) binding_.release(robot.body);  // started anew
-  const auto placement =
-      binding_.embody({robot.body_spec, pose, robot.id, unit_of_team(robot), robot.seen_as,
-                       robot.program->is_of_vehicle ? robot.program->host : ""});
+  const auto placement = binding_.embody({robot.body_spec, pose, robot.id, unit_of_team(robot), robot.seen_as,
+                                          robot.program->is_of_vehicle ? robot.program->host : ""});
   if (!placement) return std::unexpected(fmt::format("can't start: {}", placement.error()));
   const std::size_t index = index_of(robot);
   robot.body = bodies_[index] = placement->body;
@@ -507,7 +506,9 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
     add_told(robot, worker.needs[i], dt, worker.percepts[i]);
     if (worker.needs[i].has(percept::Sensor::kGround))
       note_found(worker.robots[i], worker.percepts[i],
-                 robot.capabilities.overlooks || robot.body_spec.has_ring_obstacles ? 0.0 : worker.needs[i][percept::Sensor::kObstacles],
+                 robot.capabilities.overlooks || robot.body_spec.has_ring_obstacles
+                     ? 0.0
+                     : worker.needs[i][percept::Sensor::kObstacles],
                  worker);
     worker.turns[i] = {robot.member, &worker.percepts[i], &robot.action, &robot.fault, &robot.failure};
   }

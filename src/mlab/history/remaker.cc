@@ -70,12 +70,11 @@ std::unique_ptr<run::MissionRun> Remaker::begin(text::Diagnostics& sink) {
                        },
                        beginning.is_in_real_time()};
   if (!beginning.vehicles().empty()) {
-    settings.vehicles = [recorded = std::vector<std::string>(beginning.vehicles().begin(),
-                                                             beginning.vehicles().end())](
-                            const mission::Mission& /*mission*/,
-                            std::unique_ptr<binding::Binding> simulated) {
-      return vehicle::recorded_bodies(std::move(simulated), recorded);
-    };
+    settings.vehicles =
+        [recorded = std::vector<std::string>(beginning.vehicles().begin(), beginning.vehicles().end())](
+            const mission::Mission& /*mission*/, std::unique_ptr<binding::Binding> simulated) {
+          return vehicle::recorded_bodies(std::move(simulated), recorded);
+        };
   }
   first_ = crew_;
   return begin_again();

@@ -97,8 +97,12 @@ void RecordedBinding::release(binding::BodyIndex number) {
 
 binding::Capabilities RecordedBinding::capabilities(binding::BodyIndex body) const {
   const wire::RecordedBody& made = bodies_[body.value].made;
-  binding::Capabilities out{made.radius(), static_cast<std::uint16_t>(made.range_sensors()), made.max_speed(),
-                            made.max_turn_rate(), {}, made.overlooks()};
+  binding::Capabilities out{made.radius(),
+                            static_cast<std::uint16_t>(made.range_sensors()),
+                            made.max_speed(),
+                            made.max_turn_rate(),
+                            {},
+                            made.overlooks()};
   if (made.has_kinematics()) out.kinematics = kinematics_of(made.kinematics());
   return out;
 }

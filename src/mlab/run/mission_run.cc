@@ -87,9 +87,13 @@ void MissionRun::start_robot(const mission::effect::Start& start) {
     tell(Tell::Kind::kWarning, fmt::format("robot {} {}", start.robot.value, placement.error()));
   } else if (placement->moved && ++now_.moved_at_start <= kMostMoved) {
     const geom::Point to = placement->pose.position;
-    tell(Tell::Kind::kWarning,
-         fmt::format("robot {} starts at ({:.2f}, {:.2f}): its place ({:.2f}, {:.2f}) is taken",
-                     start.robot.value, to.x, to.y, start.pose.position.x, start.pose.position.y));
+    const robot::RobotProgram& program = *fleet_->find(start.robot)->program;
+    const std::string why = program.is_of_vehicle
+                                ? fmt::format("its vehicle `{}` is there, and not at", program.host)
+                                : std::string("its place");
+    tell(Tell::Kind::kWarning, fmt::format("robot {} starts at ({:.2f}, {:.2f}): {} ({:.2f}, {:.2f}){}",
+                                           start.robot.value, to.x, to.y, why, start.pose.position.x,
+                                           start.pose.position.y, program.is_of_vehicle ? "" : " is taken"));
   }
 }
 

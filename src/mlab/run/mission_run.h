@@ -245,7 +245,7 @@ class MissionRun {
   std::unique_ptr<fleet::Fleet> fleet_;
   Observer observer_;
   InputObserver input_observer_;
-  std::vector<binding::Heard> heard_;  // of this cycle
+  std::vector<binding::Heard> heard_;        // of this cycle
   std::vector<base::RobotId> teleoperated_;  // filled anew in each cycle
   mission::event::Cycle report_;             // filled anew for each
 };

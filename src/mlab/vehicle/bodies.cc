@@ -42,8 +42,7 @@ std::string why_not_ready(const Report& report) {
 
 }  // namespace
 
-Bodies::Bodies(std::unique_ptr<binding::Binding> others, std::vector<Crewed> vehicles,
-                             std::uint64_t session)
+Bodies::Bodies(std::unique_ptr<binding::Binding> others, std::vector<Crewed> vehicles, std::uint64_t session)
     : others_(std::move(others)), session_(session) {
   for (Crewed& one : vehicles) {
     vehicles_.push_back(std::make_unique<Vehicle>());
@@ -162,7 +161,8 @@ void Bodies::health(std::vector<binding::Ailment>& out) {
 
 // Of the run, as a clock has it: whatever is computed with it comes out the same when it is taken again.
 Clock::time_point Bodies::now() const {
-  return Clock::time_point(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time())));
+  return Clock::time_point(
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time())));
 }
 
 void Bodies::hear(std::vector<binding::Heard>& out) {
@@ -199,8 +199,7 @@ void Bodies::take(Vehicle& vehicle, const Report& report) {
     state.map.add(scan, report.motion->pose);
     state.range_limit = std::max(state.range_limit, scan.farthest);
     // Beams of a sensor that stands on the edge of the body, as most do, begin there.
-    const double inside =
-        vehicle.crewed.limits.radius - geom::length(scan.mount.position - geom::Point{});
+    const double inside = vehicle.crewed.limits.radius - geom::length(scan.mount.position - geom::Point{});
     for (std::size_t i = 0; i < scan.distances.size(); ++i) {
       const float distance = scan.distances[i];
       if (std::isnan(distance)) continue;  // nothing is known there
@@ -254,7 +253,7 @@ percept::Percepts Bodies::sense(BodyIndex body, const percept::Needs& needs) con
 }
 
 percept::Percepts Bodies::sense_at(BodyIndex body, const geom::Pose& pose,
-                                          const percept::Needs& needs) const {
+                                   const percept::Needs& needs) const {
   return others_->view().sense_at(body, pose, needs);
 }
 
@@ -332,7 +331,8 @@ std::expected<std::shared_ptr<const binding::Binding::Kept>, std::string> Bodies
 
 bool Bodies::restore(const Kept& kept) {
   const auto* const before = dynamic_cast<const KeptBodies*>(&kept);
-  if (before == nullptr || before->vehicles().size() != vehicles_.size() || !others_->restore(before->others()))
+  if (before == nullptr || before->vehicles().size() != vehicles_.size() ||
+      !others_->restore(before->others()))
     return false;
   by_body_.assign(by_body_.size(), nullptr);
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {

@@ -11,8 +11,8 @@
 
 #include "mlab/binding/binding.h"
 #include "mlab/vehicle/device.h"
-#include "mlab/vehicle/local_map.h"
 #include "mlab/vehicle/line.h"
+#include "mlab/vehicle/local_map.h"
 
 namespace mlab::vehicle {
 
@@ -23,15 +23,15 @@ struct Crewed {
   std::unique_ptr<Line> line;  ///< null: what it said is recorded, and nobody hears what it is told
 };
 
-/// Bodies some of which are vehicles; the others are another binding's, which has a body for each vehicle, too:
-/// it is put where the vehicle says that it is, so that all others perceive it there.
+/// Bodies some of which are vehicles; the others are another binding's, which has a body for each vehicle,
+/// too: it is put where the vehicle says that it is, so that all others perceive it there.
 ///
 /// A vehicle senses with what it has: its pose, obstacles and ranges are what it says, robots those that are
 /// known to be there; it has no camera, no hands and no feelers. One that does not say where it is gets no
 /// robot; one that is silent, faulty or not ready for too long is not well.
 ///
-/// What is taken of vehicles is all that decides what becomes of them here: no clock does but the run's. So the
-/// same comes out when it is taken again.
+/// What is taken of vehicles is all that decides what becomes of them here: no clock does but the run's. So
+/// the same comes out when it is taken again.
 class Bodies final : public binding::Binding, private binding::WorldView {
  public:
   /// @param session  names this run to vehicles, not 0
@@ -119,8 +119,8 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   std::vector<percept::Action> actions_;  // by body
 };
 
-/// The vehicles of a recorded run, as `Bodies::vehicles` tells of them; what they said comes by `take`. Of bytes
-/// that are none nothing is made.
+/// The vehicles of a recorded run, as `Bodies::vehicles` tells of them; what they said comes by `take`. Of
+/// bytes that are none nothing is made.
 std::unique_ptr<binding::Binding> recorded_bodies(std::unique_ptr<binding::Binding> others,
                                                   const std::vector<std::string>& vehicles);
 std::set<std::string, std::less<>> recorded_names(const std::vector<std::string>& vehicles);

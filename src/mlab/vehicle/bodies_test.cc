@@ -56,8 +56,8 @@ class VehicleBodies : public testing::Test {
     bodies_ = std::make_unique<Bodies>(std::make_unique<sim::SimulatedBinding>(std::move(world)),
                                        std::move(all), kSession);
   }
-  void say(const geom::Pose& pose, bool is_global = true,
-           Readiness readiness = Readiness::kReady, std::uint64_t held_by = kSession) {
+  void say(const geom::Pose& pose, bool is_global = true, Readiness readiness = Readiness::kReady,
+           std::uint64_t held_by = kSession) {
     Report report;
     report.readiness = readiness;
     report.is_global = is_global;
@@ -104,8 +104,8 @@ class VehicleBodies : public testing::Test {
   }
   void carry_out(std::vector<percept::Action> actions) { bodies_->carry_out(actions, 0.1); }
   percept::Percepts sense(binding::BodyIndex body) {
-    const percept::Needs needs{{percept::Sensor::kObstacles, 20.0}, {percept::Sensor::kRobots, 50.0},
-                               {percept::Sensor::kRanges}};
+    const percept::Needs needs{
+        {percept::Sensor::kObstacles, 20.0}, {percept::Sensor::kRobots, 50.0}, {percept::Sensor::kRanges}};
     percept::Percepts out;
     const binding::Sensing sensing{body, &needs, &out};
     bodies_->percepts({&sensing, 1}, 0);
@@ -243,7 +243,8 @@ TEST_F(VehicleBodies, DoTheSameWhenTheSameIsTakenAgain) {
   const geom::Vector seen = then.obstacles[0].center;
 
   sim::World world;
-  auto again = recorded_bodies(std::make_unique<sim::SimulatedBinding>(std::move(world)), bodies_->vehicles());
+  auto again =
+      recorded_bodies(std::make_unique<sim::SimulatedBinding>(std::move(world)), bodies_->vehicles());
   again->take(heard_[0]);
   binding::BodySetup setup;
   setup.vehicle = "veh-1";

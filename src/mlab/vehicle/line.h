@@ -15,8 +15,8 @@ class Line {
   Line& operator=(const Line&) = delete;
   virtual ~Line() = default;
 
-  /// The newest VehicleReport that has come since the last call, as bytes that anybody may have sent; nothing:
-  /// none has.
+  /// The newest VehicleReport that has come since the last call, as bytes that anybody may have sent;
+  /// nothing: none has.
   virtual std::optional<std::string> hear() = 0;
   /// Nothing happens where it does not arrive.
   virtual void tell(const wire::VehicleCommand& command) = 0;

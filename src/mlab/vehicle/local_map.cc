@@ -10,10 +10,10 @@ namespace {
 
 using geom::Point;
 
-constexpr double kGap = 0.5;        // points of neighbouring beams that are farther apart are of two things [m]
-constexpr double kWidest = 1.5;     // of a thing; what is wider is several of them [m]
+constexpr double kGap = 0.5;     // points of neighbouring beams that are farther apart are of two things [m]
+constexpr double kWidest = 1.5;  // of a thing; what is wider is several of them [m]
 constexpr double kLeastRadius = 0.05;  // [m]
-constexpr double kSlack = 0.25;     // by which a beam has to go beyond a thing to have gone through it [m]
+constexpr double kSlack = 0.25;        // by which a beam has to go beyond a thing to have gone through it [m]
 
 Point end_of(const geom::Pose& sensor, double angle, double distance) {
   const double heading = sensor.heading + angle;
@@ -63,8 +63,8 @@ void LocalMap::clear(const Scan& scan, const geom::Pose& sensor) {
     if (distance < scan.nearest) return false;
     const double angle = base::wrap_angle(std::atan2(to.y, to.x) - sensor.heading - scan.first_angle);
     const double turn = 2.0 * std::numbers::pi;
-    const double from_first = scan.step >= 0.0 ? (angle < 0.0 ? angle + turn : angle)
-                                               : (angle > 0.0 ? angle - turn : angle);
+    const double from_first =
+        scan.step >= 0.0 ? (angle < 0.0 ? angle + turn : angle) : (angle > 0.0 ? angle - turn : angle);
     std::size_t beam = 0;
     if (scan.step != 0.0) {
       const double place = std::round(from_first / scan.step);
@@ -132,7 +132,8 @@ std::span<const percept::Obstacle> LocalMap::obstacles(const geom::Pose& pose, d
     });
     if (!is_other) told_.push_back({center, thing.radius, {}});
   }
-  std::ranges::sort(told_, {}, [](const percept::Obstacle& one) { return geom::length(one.center) - one.radius; });
+  std::ranges::sort(told_, {},
+                    [](const percept::Obstacle& one) { return geom::length(one.center) - one.radius; });
   return told_;
 }
 

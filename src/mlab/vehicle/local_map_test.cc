@@ -12,7 +12,8 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
 Clock::time_point at(double seconds) {
-  return Clock::time_point(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
+  return Clock::time_point(
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
 }
 
 // 36 beams all round, beam 0 ahead.
@@ -104,8 +105,8 @@ TEST(LocalMap, TellsNothingOfReadingsThatAreNone) {
   LocalMap map;
   Scan scan = ring(0.0);
   scan.nearest = 0.5;
-  scan.distances[0] = 0.1F;    // too near to be one
-  scan.distances[9] = 12.0F;   // beyond what it can see
+  scan.distances[0] = 0.1F;   // too near to be one
+  scan.distances[9] = 12.0F;  // beyond what it can see
   scan.distances[18] = std::numeric_limits<float>::quiet_NaN();
   map.add(scan, {});
   EXPECT_TRUE(map.obstacles({}, 50.0, {}).empty());

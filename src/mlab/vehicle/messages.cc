@@ -13,10 +13,9 @@
 namespace mlab::vehicle {
 namespace {
 
-
-constexpr double kFarthest = 1e7;      // from the origin [m]
-constexpr double kFastest = 1000.0;    // [m/s], [rad/s], and their changes in a second
-constexpr double kLongestAge = 60.0;   // [s]
+constexpr double kFarthest = 1e7;     // from the origin [m]
+constexpr double kFastest = 1000.0;   // [m/s], [rad/s], and their changes in a second
+constexpr double kLongestAge = 60.0;  // [s]
 constexpr int kMostScans = 64;
 constexpr int kMostBeams = 8192;
 constexpr std::size_t kLongestWhy = 200;  // characters
@@ -176,8 +175,7 @@ void encode(const Report& report, Clock::time_point now, wire::VehicleReport& ou
   battery.set_age(age_of(report.battery->at, now));
 }
 
-std::expected<Report, std::string> decode(const wire::VehicleReport& message,
-                                                   Clock::time_point arrived) {
+std::expected<Report, std::string> decode(const wire::VehicleReport& message, Clock::time_point arrived) {
   constexpr auto kLast = static_cast<std::uint32_t>(Readiness::kFaulty);
   Report out;
   if (message.readiness() > kLast)
@@ -190,7 +188,8 @@ std::expected<Report, std::string> decode(const wire::VehicleReport& message,
     if (!out.motion) return std::unexpected("its motion is none");
   }
   if (message.scans_size() > kMostScans)
-    return std::unexpected(fmt::format("it has {} scans, at most {} are read", message.scans_size(), kMostScans));
+    return std::unexpected(
+        fmt::format("it has {} scans, at most {} are read", message.scans_size(), kMostScans));
   for (const wire::VehicleScan& one : message.scans()) {
     auto scan = decode(one, arrived);
     if (!scan) return std::unexpected(fmt::format("scan of sensor {} is none", one.sensor()));

@@ -21,8 +21,7 @@ void encode(const Report& report, Clock::time_point now, wire::VehicleReport& ou
 /// @param arrived  by the clock of who reads; ages of readings count from there
 /// @errors  what is wrong with it, as a sentence. Every number of what comes back is one, and within what a
 ///          vehicle may say
-std::expected<Report, std::string> decode(const wire::VehicleReport& message,
-                                                   Clock::time_point arrived);
+std::expected<Report, std::string> decode(const wire::VehicleReport& message, Clock::time_point arrived);
 
 /// Whether a vehicle may be told this: all numbers are numbers, and it says whose command it is.
 bool is_sound(const wire::VehicleCommand& command);

@@ -3,8 +3,8 @@
 #include <limits>
 #include <utility>
 
-#include "mlab/vehicle/steering.h"
 #include "mlab/vehicle/messages.h"
+#include "mlab/vehicle/steering.h"
 
 namespace mlab::vehicle {
 namespace {
@@ -85,8 +85,7 @@ void Server::work(Clock::time_point now) {
   if (age_of(newest_.answers(), now) > kCommandPatience)
     return stand("what its run tells it is too old", now);
   // Nobody wants it to move: it is not made ready for that either.
-  if (!newest_.drives() && readiness != Readiness::kReady)
-    return stand("its robot does not drive", now);
+  if (!newest_.drives() && readiness != Readiness::kReady) return stand("its robot does not drive", now);
   if (newest_.number() != carried_out_) {
     command_ = command_for(device_.limits(), action_of(newest_), command_, newest_.period());
     carried_out_ = newest_.number();

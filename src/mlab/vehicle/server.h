@@ -49,17 +49,17 @@ class Server {
 
   Device& device_;
   std::function<bool()> is_stopped_;
-  std::uint64_t reported_ = 0;                                  // number of the last report
+  std::uint64_t reported_ = 0;                            // number of the last report
   std::array<Clock::time_point, kRemembered> told_at_{};  // by number
-  std::uint64_t session_ = 0;                                   // of the run that drives; 0: none
-  std::string driver_;  // who sends for it
-  Clock::time_point heard_;  // of that run
-  wire::VehicleCommand newest_;       // of that run
-  std::uint64_t carried_out_ = 0;     // number of its last one that was
-  Command command_;          // that was made of it
+  std::uint64_t session_ = 0;                             // of the run that drives; 0: none
+  std::string driver_;                                    // who sends for it
+  Clock::time_point heard_;                               // of that run
+  wire::VehicleCommand newest_;                           // of that run
+  std::uint64_t carried_out_ = 0;                         // number of its last one that was
+  Command command_;                                       // that was made of it
   std::string standing_;
-  bool was_ready_ = false;  // when it was driven last, and was not told to stop since
-  bool is_taken_ = false;   // somebody else has taken it since; it is left to him
+  bool was_ready_ = false;                   // when it was driven last, and was not told to stop since
+  bool is_taken_ = false;                    // somebody else has taken it since; it is left to him
   std::optional<Clock::time_point> driven_;  // last
   wire::VehicleReport message_;
 };

@@ -20,8 +20,17 @@ class DdsLine final : public vehicle::Line {
         commands_(std::move(commands)),
         name_(std::move(name)) {}
 
+  /// Until it is heard, or the time is over.
+  void wait(std::chrono::milliseconds patience) {
+    const auto last = std::chrono::steady_clock::now() + patience;
+    while (!first_ && std::chrono::steady_clock::now() < last) {
+      waiter_.wait(std::chrono::milliseconds(20));
+      first_ = hear();
+    }
+  }
+
   std::optional<std::string> hear() override {
-    std::optional<std::string> out;
+    std::optional<std::string> out = std::exchange(first_, std::nullopt);
     for (dds::Arrival& one : reports_.take()) {
       if (one.kind == dds::Arrival::Kind::kMessage && one.key == name_) out = std::move(one.body);
     }
@@ -38,6 +47,7 @@ class DdsLine final : public vehicle::Line {
   dds::Reader reports_;
   dds::Writer commands_;
   std::string name_;
+  std::optional<std::string> first_;  // that was waited for
 };
 
 }  // namespace
@@ -47,18 +57,14 @@ std::expected<std::unique_ptr<vehicle::Line>, std::string> open_line(
     std::chrono::milliseconds patience) {
   auto waiter = dds::Waiter::make();
   if (!waiter) return std::unexpected(waiter.error());
-  auto reports =
-      roster->participant().reader(reports_topic(name), dds::ChannelKind::kLivePercepts, *waiter);
+  auto reports = roster->participant().reader(reports_topic(name), dds::ChannelKind::kLivePercepts, *waiter);
   if (!reports) return std::unexpected(reports.error());
   auto commands = roster->participant().writer(commands_topic(name), dds::ChannelKind::kLivePercepts);
   if (!commands) return std::unexpected(commands.error());
-  // What arrives is kept for `hear`. Waits end with other news, too.
-  const auto last = std::chrono::steady_clock::now() + patience;
-  while (reports->senders().empty() && std::chrono::steady_clock::now() < last)
-    waiter->wait(std::chrono::milliseconds(20));
-  waiter->wait(patience);
-  return std::make_unique<DdsLine>(roster, std::move(*waiter), std::move(*reports), std::move(*commands),
-                                   name);
+  auto out =
+      std::make_unique<DdsLine>(roster, std::move(*waiter), std::move(*reports), std::move(*commands), name);
+  out->wait(patience);
+  return out;
 }
 
 }  // namespace mlab::vehicles

@@ -17,8 +17,8 @@
 #include "mlab/dds/writer.h"
 #include "mlab/text/shown.h"
 #include "mlab/vehicle/messages.h"
-#include "mlab/vehicles/vehicle_line.h"
 #include "mlab/vehicle/server.h"
+#include "mlab/vehicles/vehicle_line.h"
 
 namespace mlab::vehicles {
 namespace {
@@ -30,8 +30,8 @@ constexpr std::chrono::milliseconds kReporting(50);
 constexpr std::chrono::milliseconds kParting(200);  // in which the device is told to stop
 
 std::string_view word(vehicle::Readiness readiness) {
-  constexpr std::array<std::string_view, 5> kWords = {"has no device", "is silent", "is not ready", "is ready",
-                                                      "is faulty"};
+  constexpr std::array<std::string_view, 5> kWords = {"has no device", "is silent", "is not ready",
+                                                      "is ready", "is faulty"};
   return kWords[static_cast<std::size_t>(readiness)];
 }
 

@@ -90,15 +90,15 @@ std::string table_of(const std::string& fleet, const std::vector<Member>& member
   for (const Member& one : members) {
     const std::string state = fmt::format("{:<18}", state_of(one));
     const auto link = one.state == Member::State::kThere ? links.quality(one.said.name()) : std::nullopt;
-    out += fmt::format(
-        "{:<16} {:<16} {} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n", one.said.name(),
-        one.said.host(), colored(state, color_of(one)), link_of(link), clock_of(link), one.said.robots(),
-        one.said.runs(), fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
-        fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()),
-        one.said.version() +
-            (one.said.has_offered()   ? fmt::format(", `{}` only", one.said.offered().name())
-             : one.said.has_vehicle() ? fmt::format(", vehicle: {}", one.said.vehicle().kind())
-                                      : ""));
+    out += fmt::format("{:<16} {:<16} {} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n",
+                       one.said.name(), one.said.host(), colored(state, color_of(one)), link_of(link),
+                       clock_of(link), one.said.robots(), one.said.runs(),
+                       fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
+                       fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()),
+                       one.said.version() +
+                           (one.said.has_offered()   ? fmt::format(", `{}` only", one.said.offered().name())
+                            : one.said.has_vehicle() ? fmt::format(", vehicle: {}", one.said.vehicle().kind())
+                                                     : ""));
   }
   return out;
 }

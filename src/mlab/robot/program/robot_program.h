@@ -97,7 +97,7 @@ struct RobotProgram {
 
   std::shared_ptr<const ProgramOrigin> origin = nullptr;  ///< null: it is in an executable
   std::optional<ExecutableOrigin> executable = {};  ///< nothing: it is in none, or in one that is closed
-  std::string host = {};  ///< machine whose agent may carry such robots, as the mission says; empty: any
+  std::string host = {};       ///< machine whose agent may carry such robots, as the mission says; empty: any
   bool is_of_vehicle = false;  ///< that host is a vehicle, which is its robot's body: it is computed here
 
   std::vector<PlaceParameter> places = {};  ///< what `place("Gate")` of a configuration became

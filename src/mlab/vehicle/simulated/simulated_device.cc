@@ -29,7 +29,8 @@ binding::BodySpec SimulatedDevice::standard() {
 }
 
 SimulatedDevice::SimulatedDevice(sim::World world, const Settings& settings)
-    : name_(settings.name), world_(std::move(world), {.seed = settings.seed, .threads = 1, .breakdowns = {}}) {
+    : name_(settings.name),
+      world_(std::move(world), {.seed = settings.seed, .threads = 1, .breakdowns = {}}) {
   limits_.kinematics = settings.spec.kinematics;
   limits_.radius = settings.spec.radius;
   limits_.min_speed = -settings.spec.kinematics.max_speed;
