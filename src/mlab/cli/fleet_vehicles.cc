@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <mutex>
 #include <set>
 #include <string>
 #include <utility>
@@ -25,19 +24,14 @@ class FleetVehicles {
  public:
   explicit FleetVehicles(std::shared_ptr<agents::Roster> roster) : roster_(std::move(roster)) {}
 
-  /// Each name is waited for once; by any thread.
-  bool has(const std::string& host) {
+  /// Who is not there yet is waited for, as long as this has only just joined; by any thread.
+  bool has(const std::string& host) const {
     const auto is_there = [&](const std::vector<agents::Member>& members) {
       return std::ranges::any_of(members, [&](const agents::Member& one) {
         return one.said.name() == host && one.state == agents::Member::State::kThere;
       });
     };
-    bool is_new = false;
-    {
-      const std::scoped_lock lock(mutex_);
-      is_new = waited_for_.insert(host).second;
-    }
-    if (is_new) roster_->wait(is_there, agents::Clock::now() + kFindingPatience);
+    roster_->wait(is_there, all_found_);
     const auto member = roster_->find(host);
     return member && member->said.has_vehicle();
   }
@@ -63,8 +57,7 @@ class FleetVehicles {
 
  private:
   std::shared_ptr<agents::Roster> roster_;
-  std::mutex mutex_;
-  std::set<std::string, std::less<>> waited_for_;
+  agents::Clock::time_point all_found_ = agents::Clock::now() + kFindingPatience;
   std::atomic<std::uint64_t> sessions_ = 0;
 };
 
