@@ -37,7 +37,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"mission", {"overlay", "percept"}},
     {"binding", {"percept", "overlay"}},
     {"vehicle", {"binding", "text"}},
-    {"vehicle/simulated", {"vehicle", "sim"}},
+    {"simulated_vehicle", {"vehicle", "sim"}},
     {"vehicles", {"agents", "vehicle"}},
     {"mavlink", {"vehicle", "text"}},
     {"model_vehicles", {"vehicle", "lang/odl"}},
@@ -90,13 +90,14 @@ const std::map<std::string, Modules, std::less<>> kKept = {
 };
 
 /// Whose messages a file of proto/mlab holds, by how its name begins.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kMessages = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kMessages = {{
     {"history", "history"},
     {"viewers", "viewers"},
     {"journal", "journal"},
     {"robot", "robot/wire"},
     {"agent", "robot/remote"},
     {"presence", "agents"},
+    {"vehicle", "vehicle"},
     {"percepts_file", "recording"},
     {"console", "console"},
     {"designer", "designer"},

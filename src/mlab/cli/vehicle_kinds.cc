@@ -11,9 +11,9 @@
 #include "mlab/lang/odl/odl.h"
 #include "mlab/mavlink/rover_device.h"
 #include "mlab/mavlink/signing.h"
+#include "mlab/simulated_vehicle/simulated_device.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/vehicle/mrv2/mrv2.h"
-#include "mlab/vehicle/simulated/simulated_device.h"
 #include "mlab/vehicle/stream.h"
 #include "mlab/vehicle/text_rover/text_rover.h"
 

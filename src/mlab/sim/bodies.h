@@ -67,6 +67,13 @@ struct Bodies {
 
   std::size_t count() const { return x.size(); }
   geom::Point position(std::size_t i) const { return {x[i], y[i]}; }
+  /// @param looks  cosine and sine of the pose's heading
+  void put(std::size_t i, const geom::Pose& pose, geom::Offset looks) {
+    x[i] = pose.position.x;
+    y[i] = pose.position.y;
+    heading[i] = pose.heading;
+    ahead[i] = looks;
+  }
 };
 
 }  // namespace mlab::sim

@@ -202,10 +202,7 @@ void Simulator::Parts::localize(const percept::Request& request, std::uint32_t b
   const auto place = placer.nearest_free(bodies, *state.statics, request.place, bodies.radius[body],
                                          bodies.held[body] ? state.area : kWholeWorld, body);
   if (!place) return;
-  bodies.x[body] = place->x;
-  bodies.y[body] = place->y;
-  bodies.heading[body] = heading;
-  bodies.ahead[body] = {std::cos(heading), std::sin(heading)};
+  bodies.put(body, {*place, heading}, {std::cos(heading), std::sin(heading)});
   bodies.momentum[body] = {};
   state.objects.follow(bodies);
 }
@@ -329,10 +326,7 @@ void Simulator::put_body(BodyIndex body, const geom::Pose& pose, geom::Offset ve
   const std::uint32_t i = body.value;
   const geom::Offset ahead{std::cos(pose.heading), std::sin(pose.heading)};
   bodies.distance[i] += distance(bodies.position(i), pose.position);
-  bodies.x[i] = pose.position.x;
-  bodies.y[i] = pose.position.y;
-  bodies.heading[i] = pose.heading;
-  bodies.ahead[i] = ahead;
+  bodies.put(i, pose, ahead);
   bodies.counted[i] = pose;
   bodies.momentum[i] = {velocity, dot(velocity, ahead), turn_rate};
   parts_->is_stale = true;
@@ -374,15 +368,9 @@ void Simulator::sense_at(BodyIndex body, const geom::Pose& pose, const percept::
   const std::uint32_t i = body.value;
   const geom::Pose stands = this->pose(body);
   const geom::Offset ahead = bodies.ahead[i];
-  const auto put = [&](const geom::Pose& there, geom::Offset looks) {
-    bodies.x[i] = there.position.x;
-    bodies.y[i] = there.position.y;
-    bodies.heading[i] = there.heading;
-    bodies.ahead[i] = looks;
-  };
-  put(pose, {std::cos(pose.heading), std::sin(pose.heading)});
+  bodies.put(i, pose, {std::cos(pose.heading), std::sin(pose.heading)});
   sense(body, needs, buffer, out);
-  put(stands, ahead);
+  bodies.put(i, stands, ahead);
   out.pose = pose;
 }
 

@@ -40,6 +40,7 @@ void Server::hear(const std::string& sender, const std::string& body, Clock::tim
     was_ready_ = is_taken_ = false;
   }
   heard_ = now;
+  driven_ = now;
   if (command.leaves()) {
     session_ = 0;
     return;

@@ -147,7 +147,7 @@ TEST_F(CompletionTest, KnowsWhereInAnOverlayItIs) {
   EXPECT_FALSE(has(in_overlay("SITE x\n|"), "AA"));
   EXPECT_EQ(in_overlay("CONTROL MEASURES:\nAA a 1 2\nOB|"), (Strings{"OBJ", "OBJECT", "OBSTACLE"}));
   EXPECT_TRUE(in_overlay("CONTROL MEASURES:\nAA |").empty());
-  EXPECT_EQ(in_overlay("CONTROL MEASURES:\nGAP door |"), Strings{"UTM"});
+  EXPECT_EQ(in_overlay("CONTROL MEASURES:\nGAP door |"), (Strings{"UTM", "GEO"}));
   EXPECT_EQ(in_overlay("CONTROL MEASURES:\nPP a UTM |"), (Strings{"LAT", "LON"}));
   EXPECT_EQ(in_overlay("CONTROL MEASURES:\nPP a UTM LON 3 |"), Strings{"LAT"});
   EXPECT_EQ(in_overlay("CONTROL MEASURES:\nOBJECT 1 2 3 m|"), Strings{"MOVABLE"});

@@ -1,4 +1,4 @@
-#include "mlab/vehicle/simulated/simulated_device.h"
+#include "mlab/simulated_vehicle/simulated_device.h"
 
 #include <algorithm>
 #include <limits>
