@@ -492,30 +492,42 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_own(app, o.own);
 }
 
+/// What a command does with its options.
+struct Command {
+  const char* name;
+  int (*does)(const AllOptions& o);
+};
+
+constexpr Command kCommands[] = {
+    {"run", [](const AllOptions& o) { return run(o.run); }},
+    {"edit", [](const AllOptions& o) { return edit(o.edit); }},
+    {"batch", [](const AllOptions& o) { return batch(o.batch); }},
+    {"check", [](const AllOptions& o) { return check(o.check); }},
+    {"test-components", [](const AllOptions& o) { return test_components(o.test); }},
+    {"fmt", [](const AllOptions& o) { return format(o.format); }},
+    {"diff", [](const AllOptions& o) { return diff(o.diff); }},
+    {"describe", [](const AllOptions& o) { return describe(o.describe); }},
+    {"build", [](const AllOptions& o) { return build(o.build); }},
+    {"import", [](const AllOptions& o) { return import(o.import); }},
+    {"lsp", [](const AllOptions& /*o*/) { return lsp(); }},
+    {"agent", [](const AllOptions& o) { return agent(o.agent); }},
+    {"robot", [](const AllOptions& o) { return robot(o.robot); }},
+    {"fleet", [](const AllOptions& o) { return show_fleet(o.fleet); }},
+    {"keys", [](const AllOptions& o) { return keys(o.keys); }},
+    {"replay", [](const AllOptions& o) { return replay(o.replay); }},
+    {"trace", [](const AllOptions& o) { return trace(o.trace); }},
+    {"compare", [](const AllOptions& o) { return compare(o.compare); }},
+    {"new", [](const AllOptions& o) { return make_new(o.fresh); }},
+    {"place", [](const AllOptions& o) { return tell_place(o.place); }},
+    {"world", [](const AllOptions& o) { return draw_worlds(o.world); }},
+    {"bench", [](const AllOptions& o) { return bench(o.bench); }},
+};
+
 int do_as_told(CLI::App& app, const AllOptions& o) {
-  if (app.got_subcommand("run")) return run(o.run);
-  if (app.got_subcommand("edit")) return edit(o.edit);
-  if (app.got_subcommand("batch")) return batch(o.batch);
-  if (app.got_subcommand("check")) return check(o.check);
-  if (app.got_subcommand("test-components")) return test_components(o.test);
-  if (app.got_subcommand("fmt")) return format(o.format);
-  if (app.got_subcommand("diff")) return diff(o.diff);
-  if (app.got_subcommand("describe")) return describe(o.describe);
-  if (app.got_subcommand("build")) return build(o.build);
-  if (app.got_subcommand("import")) return import(o.import);
-  if (app.got_subcommand("lsp")) return lsp();
-  if (app.got_subcommand("agent")) return agent(o.agent);
-  if (app.got_subcommand("robot")) return robot(o.robot);
-  if (app.got_subcommand("fleet")) return show_fleet(o.fleet);
-  if (app.got_subcommand("keys")) return keys(o.keys);
-  if (app.got_subcommand("replay")) return replay(o.replay);
-  if (app.got_subcommand("trace")) return trace(o.trace);
-  if (app.got_subcommand("compare")) return compare(o.compare);
-  if (app.got_subcommand("new")) return make_new(o.fresh);
-  if (app.got_subcommand("place")) return tell_place(o.place);
-  if (app.got_subcommand("world")) return draw_worlds(o.world);
-  if (!app.got_subcommand("bench")) return show_own(app, o.own);
-  return bench(o.bench);
+  for (const Command& one : kCommands) {
+    if (app.got_subcommand(one.name)) return one.does(o);
+  }
+  return show_own(app, o.own);
 }
 
 int parse_and_run(int argc, char** argv) {

@@ -175,7 +175,10 @@ void Bodies::hear(std::vector<binding::Heard>& out) {
 
 void Bodies::take(const binding::Heard& heard) {
   Vehicle* const vehicle = of(heard.vehicle);
-  if (vehicle == nullptr) return others_->take(heard);
+  if (vehicle == nullptr) {
+    others_->take(heard);
+    return;
+  }
   wire::VehicleReport message;
   if (!message.ParseFromString(heard.said) || message.number() == 0) return;
   const auto report = decode(message, now());
@@ -257,7 +260,7 @@ percept::Percepts Bodies::sense_at(BodyIndex body, const geom::Pose& pose,
   return others_->view().sense_at(body, pose, needs);
 }
 
-void Bodies::command(Vehicle& vehicle, const percept::Action& action, double dt) {
+void Bodies::command(Vehicle& vehicle, const percept::Action& action, double dt) const {
   wire::VehicleCommand out;
   out.set_session(session_);
   out.set_number(++vehicle.now.told);

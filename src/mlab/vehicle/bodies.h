@@ -109,7 +109,7 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   void put(const State& state);
   static geom::Pose pose_of(const State& state);
   static void sense_with(State& state, const percept::Needs& needs, percept::Percepts& out);
-  void command(Vehicle& vehicle, const percept::Action& action, double dt);
+  void command(Vehicle& vehicle, const percept::Action& action, double dt) const;
   std::string ailment_of(Vehicle& vehicle) const;
 
   std::unique_ptr<binding::Binding> others_;

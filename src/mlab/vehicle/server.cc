@@ -67,26 +67,39 @@ void Server::stand(std::string why, Clock::time_point now) {
   device_.stop(now);
 }
 
+// Empty: it does not have to.
+std::string Server::why_it_stands(Readiness readiness, Clock::time_point now) const {
+  if (is_stopped_()) return "the emergency stop holds";
+  if (is_left_alone(now)) return "";
+  if (session_ == 0) return "no run drives it";
+  if (age_of(newest_.answers(), now) > kCommandPatience) return "what its run tells it is too old";
+  // Nobody wants it to move: it is not made ready for that either.
+  if (!newest_.drives() && readiness != Readiness::kReady) return "its robot does not drive";
+  return "";
+}
+
+// Once it has been told to stop for a while, somebody may drive it by other means.
+bool Server::is_left_alone(Clock::time_point now) const {
+  if (session_ != 0) return is_taken_;
+  return !driven_ || seconds_between(*driven_, now) > kPartingPatience;
+}
+
 void Server::work(Clock::time_point now) {
   device_.work(now);
   if (session_ != 0 && seconds_between(heard_, now) > kSessionPatience) session_ = 0;
-  if (is_stopped_()) return stand("the emergency stop holds", now);
   if (session_ != 0) driven_ = now;
-  if (session_ == 0) {
-    // Afterwards it is its own: somebody may drive it by other means.
-    if (driven_ && seconds_between(*driven_, now) <= kPartingPatience) stand("no run drives it", now);
-    return;
-  }
   const Readiness readiness = device_.report(now).readiness;
-  if (readiness == Readiness::kNotReady && was_ready_) is_taken_ = true;
-  if (is_taken_) {
+  is_taken_ = is_taken_ || (session_ != 0 && was_ready_ && readiness == Readiness::kNotReady);
+  if (std::string why = why_it_stands(readiness, now); !why.empty()) {
+    stand(std::move(why), now);
+  } else if (is_left_alone(now)) {
     standing_ = "somebody else has taken it";
-    return;
+  } else {
+    drive(readiness, now);
   }
-  if (age_of(newest_.answers(), now) > kCommandPatience)
-    return stand("what its run tells it is too old", now);
-  // Nobody wants it to move: it is not made ready for that either.
-  if (!newest_.drives() && readiness != Readiness::kReady) return stand("its robot does not drive", now);
+}
+
+void Server::drive(Readiness readiness, Clock::time_point now) {
   if (newest_.number() != carried_out_) {
     command_ = command_for(device_.limits(), action_of(newest_), command_, newest_.period());
     carried_out_ = newest_.number();

@@ -45,7 +45,10 @@ class Server {
   /// How old what a report told is by now [s]; nothing that is younger than kCommandPatience where it is not
   /// known any more.
   double age_of(std::uint64_t report, Clock::time_point now) const;
+  std::string why_it_stands(Readiness readiness, Clock::time_point now) const;
+  bool is_left_alone(Clock::time_point now) const;
   void stand(std::string why, Clock::time_point now);
+  void drive(Readiness readiness, Clock::time_point now);
 
   Device& device_;
   std::function<bool()> is_stopped_;
