@@ -100,7 +100,10 @@ TEST_F(Vehicles, ObeyTheEmergencyStop) {
   Process release =
       base().start({MLAB_COMMAND, "fleet", "alpha", "--network", base().address(), "--release"});
   ASSERT_TRUE(release.wait(kFleetPatience));
-  EXPECT_EQ(ends(far, "exit status 0")["outcome"], "done");
+  EXPECT_TRUE(first.prints("the emergency stop was released by base", kFleetPatience)) << first.output();
+  EXPECT_FALSE(far.wait(1s)) << "the mission goes on: " << far.output();
+  far.signal(SIGTERM);
+  EXPECT_TRUE(far.wait(kFleetPatience));
 }
 
 TEST_F(Vehicles, AreAskedForByName) {
