@@ -37,7 +37,7 @@ void Server::hear(const std::string& sender, const std::string& body, Clock::tim
     driver_ = sender;
     carried_out_ = 0;
     newest_.Clear();
-    was_ready_ = is_taken_ = false;
+    was_ready_ = false;
   }
   heard_ = now;
   driven_ = now;
@@ -46,7 +46,11 @@ void Server::hear(const std::string& sender, const std::string& body, Clock::tim
     return;
   }
   if (command.number() <= newest_.number()) return;
-  if (command.engagement() != newest_.engagement()) was_ready_ = is_taken_ = false;
+  // A run that was not heard for a while is still under the same word of a person.
+  if (const std::pair word(command.session(), command.engagement()); word != engaged_by_) {
+    engaged_by_ = word;
+    was_ready_ = is_taken_ = false;
+  }
   newest_ = std::move(command);
 }
 
@@ -78,10 +82,9 @@ std::string Server::why_it_stands(Readiness readiness, Clock::time_point now) co
   return "";
 }
 
-// Once it has been told to stop for a while, somebody may drive it by other means.
+// Somebody has taken it; or no run drives it, and it has been told to stop for a while.
 bool Server::is_left_alone(Clock::time_point now) const {
-  if (session_ != 0) return is_taken_;
-  return !driven_ || seconds_between(*driven_, now) > kPartingPatience;
+  return is_taken_ || (session_ == 0 && (!driven_ || seconds_between(*driven_, now) > kPartingPatience));
 }
 
 void Server::work(Clock::time_point now) {
@@ -93,7 +96,7 @@ void Server::work(Clock::time_point now) {
   if (std::string why = why_it_stands(readiness, now); !why.empty()) {
     stand(std::move(why), now);
   } else if (is_left_alone(now)) {
-    standing_ = "somebody else has taken it";
+    standing_ = is_taken_ ? "somebody else has taken it" : "";
   } else {
     drive(readiness, now);
   }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "mlab/vehicle.pb.h"
 #include "mlab/vehicle/device.h"
@@ -61,6 +62,7 @@ class Server {
   std::uint64_t carried_out_ = 0;                         // number of its last one that was
   Command command_;                                       // that was made of it
   std::string standing_;
+  std::pair<std::uint64_t, std::uint32_t> engaged_by_;  // session and engagement of the newest command
   bool was_ready_ = false;                   // when it was driven last, and was not told to stop since
   bool is_taken_ = false;                    // somebody else has taken it since; it is left to him
   std::optional<Clock::time_point> driven_;  // last

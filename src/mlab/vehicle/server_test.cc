@@ -182,6 +182,11 @@ TEST_F(ServerTest, LeavesAVehicleToWhoTookIt) {
   is_stopped_ = false;
   device_.command_ = {0.3, 0.0};
   EXPECT_EQ(go(), 0.3);
+  // The link is gone for a while, and back: that is nobody's word.
+  now_ += milliseconds(3000);
+  server_.work(now_);
+  EXPECT_FALSE(server_.is_driven());
+  EXPECT_EQ(go(), 0.3);
   // A person has the robot take it again.
   wire::VehicleCommand anew = command(report());
   anew.set_engagement(1);
