@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
 
 #include "mlab/base/angle.h"
 
@@ -20,7 +23,23 @@ Point end_of(const geom::Pose& sensor, double angle, double distance) {
   return sensor.position + geom::Offset{std::cos(heading), std::sin(heading)} * distance;
 }
 
-// The middle of the farthest two, and half of their distance.
+// The beam that looks there; nothing: none does.
+// @param angle  from the mount's heading, counter-clockwise [rad]
+std::optional<std::size_t> beam_at(const Scan& scan, double angle) {
+  if (scan.distances.empty()) return std::nullopt;
+  const double off = base::wrap_angle(angle - scan.first_angle);
+  if (scan.step == 0.0)
+    return std::abs(off) <= scan.beam_width / 2.0 ? std::optional<std::size_t>(0) : std::nullopt;
+  // Steps to there, the way round in which beams follow each other; half a step before beam 0 is its own.
+  const double round = 2.0 * std::numbers::pi / std::abs(scan.step);
+  double steps = off / scan.step;
+  if (steps < -0.5) steps += round;
+  const double beam = std::max(0.0, std::round(steps));
+  if (!(beam < static_cast<double>(scan.distances.size()))) return std::nullopt;
+  return static_cast<std::size_t>(beam);
+}
+
+// Round all of them, from the middle between the first and the last.
 std::pair<Point, double> round_of(const std::vector<Point>& points) {
   const Point a = points.front();
   const Point b = points.back();
@@ -45,10 +64,7 @@ bool LocalMap::is_new(const Scan& scan) {
 
 void LocalMap::add(const Scan& scan, const geom::Pose& pose) {
   if (!is_new(scan)) return;
-  const double c = std::cos(pose.heading);
-  const double s = std::sin(pose.heading);
-  const Point& on = scan.mount.position;
-  const geom::Pose sensor{pose.position + geom::Offset{c * on.x - s * on.y, s * on.x + c * on.y},
+  const geom::Pose sensor{pose.point_at({scan.mount.position.x, scan.mount.position.y, 0.0}),
                           base::wrap_angle(pose.heading + scan.mount.heading)};
   clear(scan, sensor);
   add_hits(scan, sensor);
@@ -56,29 +72,13 @@ void LocalMap::add(const Scan& scan, const geom::Pose& pose) {
 
 // What is nearer than where the beam went that points at its middle.
 void LocalMap::clear(const Scan& scan, const geom::Pose& sensor) {
-  if (scan.distances.empty()) return;
   std::erase_if(things_, [&](const Thing& thing) {
     const geom::Offset to = thing.center - sensor.position;
     const double distance = geom::length(to);
     if (distance < scan.nearest) return false;
-    const double angle = base::wrap_angle(std::atan2(to.y, to.x) - sensor.heading - scan.first_angle);
-    const double turn = 2.0 * std::numbers::pi;
-    const double from_first =
-        scan.step >= 0.0 ? (angle < 0.0 ? angle + turn : angle) : (angle > 0.0 ? angle - turn : angle);
-    std::size_t beam = 0;
-    if (scan.step != 0.0) {
-      const double place = std::round(from_first / scan.step);
-      // Half a step before the first one is the first one's, too.
-      const bool is_before = std::abs(std::abs(from_first) - turn) < std::abs(scan.step) / 2.0;
-      beam = is_before ? 0 : static_cast<std::size_t>(place);
-    } else if (std::abs(angle) > scan.beam_width / 2.0) {
-      return false;
-    }
-    if (beam >= scan.distances.size()) return false;
-    const float went = scan.distances[beam];
-    if (std::isnan(went)) return false;
-    const double through = std::min<double>(went, scan.farthest);
-    return through > distance + thing.radius + kSlack;
+    const auto beam = beam_at(scan, std::atan2(to.y, to.x) - sensor.heading);
+    if (!beam || std::isnan(scan.distances[*beam])) return false;
+    return std::min<double>(scan.distances[*beam], scan.farthest) > distance + thing.radius + kSlack;
   });
 }
 
@@ -111,7 +111,8 @@ void LocalMap::put(const Thing& thing) {
   std::erase_if(things_, [&](const Thing& old) {
     return geom::distance(old.center, thing.center) <= std::max(old.radius, thing.radius) + kSlack;
   });
-  if (things_.size() < kMost) things_.push_back(thing);
+  if (things_.size() >= kMost) things_.erase(std::ranges::min_element(things_, {}, &Thing::seen));
+  things_.push_back(thing);
 }
 
 void LocalMap::age(const geom::Pose& pose, Clock::time_point now) {

@@ -19,7 +19,7 @@ class LocalMap {
   /// Things farther away are forgotten [m], and those that were not seen for so long [s].
   static constexpr double kReach = 20.0;
   static constexpr double kMemory = 10.0;
-  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMost = 256;  ///< things; what was seen longest ago makes room
 
   /// Takes in what a sensor saw. One that is none newer than the last of that sensor is left out.
   /// @param pose  of the vehicle then, in the frame of its odometry

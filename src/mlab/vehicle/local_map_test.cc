@@ -88,6 +88,50 @@ TEST(LocalMap, ForgetsWithTimeAndWithDistance) {
   EXPECT_TRUE(map.obstacles({}, 50.0, {}).empty());
 }
 
+TEST(LocalMap, KeepsWhatItSawLastWhereThereIsTooMuch) {
+  LocalMap map;
+  for (int i = 0; i < 300; ++i) {
+    Scan scan = ring(0.01 * i);
+    scan.distances.assign(36, std::numeric_limits<float>::quiet_NaN());
+    scan.distances[0] = 1.0F;
+    map.add(scan, {{0.0, static_cast<double>(i)}, 0.0});
+  }
+  const auto seen = map.obstacles({{0.0, 299.0}, 0.0}, 1.0, {});
+  ASSERT_FALSE(seen.empty());
+  EXPECT_NEAR(seen[0].center.y, 0.0, 1e-9) << "the newest is among them";
+  EXPECT_EQ(map.obstacles({}, 1e6, {}).size(), LocalMap::kMost);
+}
+
+TEST(LocalMap, FindsTheBeamThatLooksAtAThingWhicheverWayTheyGoRound) {
+  for (const double step : {1.0, -1.0}) {
+    LocalMap map;
+    Scan scan = ring(0.0);
+    scan.step *= step;
+    scan.first_angle = 1.0;
+    scan.distances[35] = 3.0F;  // just before beam 0
+    map.add(scan, {});
+    ASSERT_EQ(map.obstacles({}, 50.0, {}).size(), 1U);
+    scan.at = at(0.1);
+    scan.distances[35] = 8.0F;
+    map.add(scan, {});
+    const auto seen = map.obstacles({}, 50.0, {});
+    ASSERT_EQ(seen.size(), 1U) << "the beam went through what was there";
+    EXPECT_NEAR(geom::length(seen[0].center), 8.0, 1e-6);
+  }
+}
+
+TEST(LocalMap, BearsBeamsThatMakeNoSense) {
+  LocalMap map;
+  Scan scan = ring(0.0);
+  scan.distances[0] = 2.0F;
+  map.add(scan, {});
+  scan.at = at(0.1);
+  scan.step = 1e-300;
+  scan.first_angle = 2.0;
+  map.add(scan, {});
+  EXPECT_FALSE(map.obstacles({}, 5.0, {}).empty());
+}
+
 TEST(LocalMap, LeavesOutBodiesThatAreKnownOtherwise) {
   LocalMap map;
   Scan scan = ring(0.0);
