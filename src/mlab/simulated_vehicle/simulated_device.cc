@@ -40,6 +40,7 @@ SimulatedDevice::SimulatedDevice(sim::World world, const Settings& settings)
   limits_.standstill = kWatchdog + braking + 2.0 * kStep;
   const auto placed = world_.embody({settings.spec, settings.start, {1}, 0, {}});
   body_ = placed ? placed->body : binding::kNoBody;
+  if (!placed) report_.why = "has no free place to stand in its world";
 }
 
 void SimulatedDevice::work(Clock::time_point now) {
@@ -54,9 +55,17 @@ void SimulatedDevice::work(Clock::time_point now) {
   for (int i = 0; i < kMostSteps && at_ + step <= now; ++i, at_ += step)
     world_.carry_out({&action, 1}, kStep);
   if (at_ + step <= now) at_ = now;
+  if (!report_.motion || report_.motion->at != at_) look();
 }
 
-void SimulatedDevice::scan(Clock::time_point now) {
+// How it is at the moment to which it has been simulated.
+void SimulatedDevice::look() {
+  geom::Pose pose;
+  world_.poses({&body_, 1}, {&pose, 1});
+  const binding::BodyState state = world_.view().body(body_);
+  report_.readiness = Readiness::kReady;
+  report_.is_global = true;
+  report_.motion = Motion{pose, state.speed, state.turn_rate, at_};
   const percept::Percepts seen = world_.view().sense(body_, {{percept::Sensor::kRanges}});
   report_.scans.resize(seen.ranges.empty() ? 0 : 1);
   if (seen.ranges.empty()) return;
@@ -64,26 +73,11 @@ void SimulatedDevice::scan(Clock::time_point now) {
   out.first_angle = seen.ranges.front().angle;
   out.step = seen.ranges.size() > 1 ? seen.ranges[1].angle - seen.ranges[0].angle : 0.0;
   out.farthest = limits_.radius + seen.range_limit;
-  out.at = now;
+  out.at = at_;
   out.distances.clear();
   for (const percept::RangeReading& one : seen.ranges)
     out.distances.push_back(one.hit ? static_cast<float>(limits_.radius) + one.distance
                                     : std::numeric_limits<float>::infinity());
-}
-
-const Report& SimulatedDevice::report(Clock::time_point now) {
-  if (body_ == binding::kNoBody) {
-    report_.why = "has no free place to stand in its world";
-    return report_;
-  }
-  geom::Pose pose;
-  world_.poses({&body_, 1}, {&pose, 1});
-  const binding::BodyState state = world_.view().body(body_);
-  report_.readiness = Readiness::kReady;
-  report_.is_global = true;
-  report_.motion = Motion{pose, state.speed, state.turn_rate, now};
-  scan(now);
-  return report_;
 }
 
 void SimulatedDevice::drive(const Command& command, Clock::time_point now) {

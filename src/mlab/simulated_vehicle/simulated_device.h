@@ -27,12 +27,12 @@ class SimulatedDevice final : public Device {
   const std::string& name() const override { return name_; }
   const Limits& limits() const override { return limits_; }
   void work(Clock::time_point now) override;
-  const Report& report(Clock::time_point now) override;
+  const Report& report(Clock::time_point /*now*/) override { return report_; }
   void drive(const Command& command, Clock::time_point now) override;
   void stop(Clock::time_point now) override;
 
  private:
-  void scan(Clock::time_point now);
+  void look();
 
   std::string name_;
   Limits limits_;
