@@ -163,8 +163,8 @@ struct RobotOptions {
   std::string binding;                          ///< the kind of vehicle
   std::string device;                           ///< where it is connected, where its kind wants that
   std::string world;                            ///< overlay, of a simulated one
-  std::array<double, 3> at{};                   ///< where that starts [m, m, deg]
-  std::uint64_t seed = 1;                       ///< of its noise
+  std::optional<std::array<double, 3>> at;      ///< where that starts [m, m, deg]; else at 0, 0, 0
+  std::optional<std::uint64_t> seed;            ///< of its noise; else 1
   std::string key_file;                         ///< of a mavlink one: holds the key that all is signed with
   std::optional<std::array<double, 2>> origin;  ///< likewise: of its own frame, in the world [m]
   std::optional<double> radius;                 ///< of a vehicle that does not say so itself [m]

@@ -26,31 +26,30 @@ void add_robot(CLI::App& app, RobotOptions& o) {
                 "udp:HOST:PORT")
       ->check(refuse_if_empty)
       ->type_name("ADDRESS");
-  c->add_option("--world", o.world, "simulated: overlay of what stands around it; none: nothing does")
+  c->add_option("--world", o.world, "overlay of what stands around it; none: nothing does")
       ->check(refuse_if_empty)
       ->type_name("FILE");
-  c->add_option("--at", o.at, "simulated: where it starts, and how it looks: X,Y,DEGREES")
+  c->add_option("--at", o.at, "where it starts, and how it looks: X,Y,DEGREES")
       ->delimiter(',')
       ->default_str("0,0,0")
       ->type_name("PLACE");
-  c->add_option("--seed", o.seed, "simulated: of its noise")->capture_default_str()->type_name("N");
-  c->add_option(
-       "--key-file", o.key_file,
-       "mavlink: file with the key that all is signed with: 64 hexadecimal digits, or passphrase:WORDS")
+  c->add_option("--seed", o.seed, "of its noise")->default_str("1")->type_name("N");
+  c->add_option("--key-file", o.key_file,
+                "file with the key that all is signed with: 64 hexadecimal digits, or passphrase:WORDS")
       ->check(CLI::ExistingFile)
       ->type_name("FILE");
   c->add_option("--origin", o.origin,
-                "mavlink: where the origin of the rover's own frame is on the map: X,Y; without it the rover "
+                "where the origin of the rover's own frame is on the map: X,Y; without it the rover "
                 "begins where START puts it")
       ->delimiter(',')
       ->type_name("PLACE");
-  c->add_option("--radius", o.radius, "mavlink: of the disc that the vehicle takes up [m]")
+  c->add_option("--radius", o.radius, "of the disc that the vehicle takes up [m]")
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("METRES");
-  c->add_option("--max-speed", o.max_speed, "it is never told to go faster; not of simulated ones [m/s]")
+  c->add_option("--max-speed", o.max_speed, "it is never told to go faster [m/s]")
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("SPEED");
-  c->add_option("--max-turn-rate", o.max_turn_rate, "it is never told to turn faster; likewise [deg/s]")
+  c->add_option("--max-turn-rate", o.max_turn_rate, "it is never told to turn faster [deg/s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->type_name("RATE");
   add_network(c, o.network);

@@ -23,7 +23,6 @@ namespace {
 using Made = std::expected<std::shared_ptr<vehicle::Device>, std::string>;
 
 Made make_simulated(const RobotOptions& options) {
-  if (!options.device.empty()) return std::unexpected("--device: a simulated vehicle has none");
   sim::World world;
   if (!options.world.empty()) {
     overlay::Overlay overlay;
@@ -32,39 +31,25 @@ Made make_simulated(const RobotOptions& options) {
     world = sim::world_of(overlay);
   }
   vehicle::SimulatedDevice::Settings settings;
-  settings.start = {{options.at[0], options.at[1]}, base::radians(options.at[2])};
-  settings.seed = options.seed;
+  const auto at = options.at.value_or(std::array{0.0, 0.0, 0.0});
+  settings.start = {{at[0], at[1]}, base::radians(at[2])};
+  settings.seed = options.seed.value_or(settings.seed);
   return std::make_shared<vehicle::SimulatedDevice>(std::move(world), settings);
 }
 
-// What its options say of a vehicle that does not say so itself.
-vehicle::Limits limits_of(const RobotOptions& options, vehicle::Limits out) {
-  if (options.radius) out.radius = *options.radius;
-  if (options.max_speed) out.kinematics.max_speed = *options.max_speed;
-  if (options.max_turn_rate) out.kinematics.max_turn_rate = base::radians(*options.max_turn_rate);
-  return out;
-}
-
-// Empty: all is well.
-std::string lack_of_device(const RobotOptions& options) {
-  return options.device.empty()
-             ? fmt::format("--binding {} needs --device: where the vehicle is connected", options.binding)
-             : "";
-}
-
-std::expected<std::unique_ptr<vehicle::Stream>, std::string> stream_to(const RobotOptions& options) {
-  if (std::string lack = lack_of_device(options); !lack.empty()) return std::unexpected(std::move(lack));
-  const auto address = vehicle::parse_address(options.device);
-  if (!address)
-    return std::unexpected(fmt::format("--device {}: {}", options.device, address.error().message));
-  return vehicle::make_stream(*address);
+/// What its options say of a vehicle that does not say so itself.
+void set_speeds(const RobotOptions& options, double& max_speed, double& max_turn_rate) {
+  max_speed = options.max_speed.value_or(max_speed);
+  if (options.max_turn_rate) max_turn_rate = base::radians(*options.max_turn_rate);
 }
 
 Made make_mavlink(const RobotOptions& options) {
-  auto stream = stream_to(options);
-  if (!stream) return std::unexpected(stream.error());
+  const auto address = vehicle::parse_address(options.device);
+  if (!address)
+    return std::unexpected(fmt::format("--device {}: {}", options.device, address.error().message));
   mavlink::RoverSettings settings;
-  settings.limits = limits_of(options, settings.limits);
+  settings.limits.radius = options.radius.value_or(settings.limits.radius);
+  set_speeds(options, settings.limits.kinematics.max_speed, settings.limits.kinematics.max_turn_rate);
   if (options.origin) settings.origin = geom::Point{(*options.origin)[0], (*options.origin)[1]};
   if (!options.key_file.empty()) {
     std::ifstream file(options.key_file);
@@ -74,46 +59,72 @@ Made make_mavlink(const RobotOptions& options) {
     if (!key) return std::unexpected(fmt::format("--key-file {}: {}", options.key_file, key.error().message));
     settings.key = *key;
   }
-  return std::make_shared<mavlink::RoverDevice>(std::move(*stream), settings);
+  return std::make_shared<mavlink::RoverDevice>(vehicle::make_stream(*address), settings);
 }
 
 Made make_mrv2(const RobotOptions& options) {
-  if (std::string lack = lack_of_device(options); !lack.empty()) return std::unexpected(std::move(lack));
   vehicle::Mrv2Settings settings;
-  settings.max_speed = options.max_speed.value_or(settings.max_speed);
-  if (options.max_turn_rate) settings.max_turn_rate = base::radians(*options.max_turn_rate);
+  set_speeds(options, settings.max_speed, settings.max_turn_rate);
   return vehicle::make_mrv2(options.device, settings);
 }
 
 Made make_text_rover(const RobotOptions& options) {
-  if (std::string lack = lack_of_device(options); !lack.empty()) return std::unexpected(std::move(lack));
   vehicle::TextRoverSettings settings;
-  settings.max_speed = options.max_speed.value_or(settings.max_speed);
-  if (options.max_turn_rate) settings.max_turn_rate = base::radians(*options.max_turn_rate);
+  set_speeds(options, settings.max_speed, settings.max_turn_rate);
   return vehicle::make_text_rover(options.device, settings);
 }
+
+/// An option that not all kinds take.
+struct Own {
+  std::string_view name;
+  bool (*is_given)(const RobotOptions& options);
+};
+
+constexpr std::array kOwn = {
+    Own{"--device", [](const RobotOptions& o) { return !o.device.empty(); }},
+    Own{"--world", [](const RobotOptions& o) { return !o.world.empty(); }},
+    Own{"--at", [](const RobotOptions& o) { return o.at.has_value(); }},
+    Own{"--seed", [](const RobotOptions& o) { return o.seed.has_value(); }},
+    Own{"--key-file", [](const RobotOptions& o) { return !o.key_file.empty(); }},
+    Own{"--origin", [](const RobotOptions& o) { return o.origin.has_value(); }},
+    Own{"--radius", [](const RobotOptions& o) { return o.radius.has_value(); }},
+    Own{"--max-speed", [](const RobotOptions& o) { return o.max_speed.has_value(); }},
+    Own{"--max-turn-rate", [](const RobotOptions& o) { return o.max_turn_rate.has_value(); }},
+};
 
 /// A kind of vehicle.
 struct Kind {
   std::string_view name;
   std::string_view help;
+  std::string_view takes;  ///< of kOwn, with blanks between; a device is needed where it is among them
   Made (*make)(const RobotOptions& options);
 };
 
 constexpr std::array kKinds = {
-    Kind{"simulated", "in a world of its own (--world, --at, --seed), for trying missions without a vehicle",
+    Kind{"simulated", "in a world of its own, for trying missions without a vehicle", "--world --at --seed",
          make_simulated},
-    Kind{"mavlink",
-         "a rover under ArduPilot (--device, --key-file, --origin, --radius, --max-speed, --max-turn-rate); "
-         "docs/mavlink.md",
-         make_mavlink},
-    Kind{"mrv2", "a Denning MRV-2 (--device, --max-speed, --max-turn-rate); docs/vehicles_mrv2.md",
-         make_mrv2},
-    Kind{"text-rover",
-         "a rover that is spoken with in lines of text, the example of docs/adding_a_vehicle.md (--device, "
-         "--max-speed, --max-turn-rate)",
-         make_text_rover},
+    Kind{"mavlink", "a rover under ArduPilot; docs/mavlink.md",
+         "--device --key-file --origin --radius --max-speed --max-turn-rate", make_mavlink},
+    Kind{"mrv2", "a Denning MRV-2; docs/vehicles_mrv2.md", "--device --max-speed --max-turn-rate", make_mrv2},
+    Kind{"text-rover", "spoken with in lines of text, the example of docs/adding_a_vehicle.md",
+         "--device --max-speed --max-turn-rate", make_text_rover},
 };
+
+bool takes(const Kind& kind, std::string_view option) {
+  const std::string words = fmt::format(" {} ", kind.takes);
+  return words.find(fmt::format(" {} ", option)) != std::string::npos;
+}
+
+// Empty: all is well.
+std::string problem_of(const Kind& kind, const RobotOptions& options) {
+  for (const Own& own : kOwn) {
+    if (own.is_given(options) && !takes(kind, own.name))
+      return fmt::format("{}: --binding {} does not take it, but {}", own.name, kind.name, kind.takes);
+  }
+  return takes(kind, "--device") && options.device.empty()
+             ? fmt::format("--binding {} needs --device: where the vehicle is connected", kind.name)
+             : "";
+}
 
 }  // namespace
 
@@ -125,13 +136,16 @@ std::vector<std::string> vehicle_kinds() {
 
 std::string vehicle_kinds_help() {
   std::string out = "the kind of vehicle:";
-  for (const Kind& one : kKinds) out += fmt::format("\n{}: {}", one.name, one.help);
+  for (const Kind& one : kKinds) out += fmt::format("\n{}: {} ({})", one.name, one.help, one.takes);
   return out;
 }
 
 Made make_device(const RobotOptions& options) {
   for (const Kind& one : kKinds) {
-    if (one.name == options.binding) return one.make(options);
+    if (one.name != options.binding) continue;
+    if (std::string problem = problem_of(one, options); !problem.empty())
+      return std::unexpected(std::move(problem));
+    return one.make(options);
   }
   return std::unexpected(fmt::format("there is no binding `{}`", options.binding));
 }

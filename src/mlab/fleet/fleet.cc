@@ -141,8 +141,8 @@ std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, ge
 
 std::expected<binding::Placement, std::string> Fleet::embody(FleetRobot& robot, geom::Pose pose) {
   if (robot.life != RobotLife::kNotStarted) binding_.release(robot.body);  // started anew
-  const auto placement = binding_.embody({robot.body_spec, pose, robot.id, unit_of_team(robot), robot.seen_as,
-                                          robot.program->is_of_vehicle ? robot.program->host : ""});
+  const auto placement = binding_.embody(
+      {robot.body_spec, pose, robot.id, unit_of_team(robot), robot.seen_as, robot.program->vehicle()});
   if (!placement) return std::unexpected(fmt::format("can't start: {}", placement.error()));
   const std::size_t index = index_of(robot);
   robot.body = bodies_[index] = placement->body;

@@ -110,7 +110,7 @@ std::vector<PlannedStart> MissionRun::planned_starts() const {
       const auto place = static_cast<std::size_t>(robot - fleet_->robots().data());
       if (robot->life != fleet::RobotLife::kNotStarted || is_planned[place]) continue;
       is_planned[place] = true;
-      setups.push_back({robot->body_spec, wanted, id, 0});
+      setups.push_back({robot->body_spec, wanted, id, 0, robot->seen_as, robot->program->vehicle()});
     }
   };
   for (const mission::Step& step : mission().steps) {

@@ -116,6 +116,8 @@ struct RobotProgram {
   bool is_in_executable() const { return native != nullptr || executable || recorded != nullptr; }
   /// It is in an executable that keeps its values to itself.
   bool is_closed() const { return native != nullptr || (recorded != nullptr && !recorded->is_open); }
+  /// The vehicle that is its robot's body; empty: none is.
+  std::string vehicle() const { return is_of_vehicle ? host : std::string(); }
   /// It can be built and computed on another machine.
   bool can_be_elsewhere() const {
     return !is_of_vehicle && program != nullptr && (origin != nullptr || executable);
