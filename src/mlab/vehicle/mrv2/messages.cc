@@ -114,7 +114,8 @@ std::optional<Message> read_identity(Reader in) {
   m.range = in.get<std::uint16_t>(kMilli);
   m.nearest = in.get<std::uint16_t>(kMilli);
   m.beam_width = in.get<std::uint16_t>(kMilli);
-  if (!in.is_done()) return std::nullopt;
+  const bool is_sense = m.nearest <= m.range;
+  if (!in.is_done() || !is_sense) return std::nullopt;
   return m;
 }
 

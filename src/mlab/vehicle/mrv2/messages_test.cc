@@ -71,6 +71,17 @@ TEST(Mrv2Messages, ThatAreNotAsLongAsTheyHaveToBeAreNone) {
   }
 }
 
+TEST(Mrv2Messages, OfSensorsThatCouldSeeNothingAreNone) {
+  Identity identity;
+  identity.range = 2.0;
+  identity.nearest = 2.001;
+  FrameReader reader;
+  reader.add(bytes_of(identity));
+  const auto frame = reader.next();
+  ASSERT_TRUE(frame.has_value());
+  EXPECT_FALSE(message_of(*frame).has_value());
+}
+
 TEST(Mrv2Frames, AreFoundAmongOtherBytesInPiecesOfAnyLength) {
   const std::uint64_t seed = 3;
   base::Random random(seed);
