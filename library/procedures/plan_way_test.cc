@@ -289,6 +289,20 @@ TEST_F(Way, IsFollowedRoundItsCornersToItsEnd) {
   EXPECT_LT(distance(at, {10.0, 10.0}), 0.1);
 }
 
+TEST_F(Way, ASlowRobotSlowsDownLater) {
+  flow::BehaviorProbe p = probe("FollowWay");
+  p.set("way", straight({0.0, 0.0}, {10.0, 0.0}));
+  const auto pull = [&](double base_velocity, double x) {
+    p.set("base_velocity", base_velocity);
+    p.percepts.pose.position = {x, 0.0};
+    p.step();
+    return p.output<Vector>().x;
+  };
+  EXPECT_NEAR(pull(5.0, 8.5), 0.5, 1e-9);
+  EXPECT_NEAR(pull(0.1, 8.5), 1.0, 1e-9);
+  EXPECT_NEAR(pull(0.1, 9.85), 0.5, 1e-9);
+}
+
 // Round the end of a wall, beyond which the way leads back on its other side.
 TEST_F(Way, WhoIsPushedBackGoesThatPieceAgain) {
   flow::BehaviorProbe p = probe("FollowWay");
