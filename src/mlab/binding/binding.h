@@ -130,8 +130,8 @@ class Binding {
   /// @return  false: it is of another kind, and nothing has changed
   virtual bool restore(const Kept& /*kept*/) { return false; }
 
-  /// Puts a body where somebody else has found it: one that stands for something real. It may overlap others
-  /// then, which keep off it.
+  /// Puts a body where somebody else has found it: one that stands for something real, and from now on moves
+  /// only by this. It may overlap others then, which keep off it.
   /// @param velocity  over the ground [m/s, world]
   /// @return  false: bodies here are where they are
   virtual bool place(BodyIndex /*body*/, const geom::Pose& /*pose*/, geom::Offset /*velocity*/,

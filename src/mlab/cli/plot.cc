@@ -105,7 +105,8 @@ std::string measure_label(const View& view, const overlay::ControlMeasure& measu
 constexpr std::string_view kStyle =
     "<style>svg{background:#fff}.place{fill:#f1f5f9;stroke:#475569}.line{fill:none;stroke:#94a3b8;stroke-"
     "dasharray:6 4}"
-    ".lane{fill:none;stroke:#e2e8f0}.wall{fill:none;stroke:#0f172a}.rock{fill:#334155}"
+    ".lane{fill:none;stroke:#e2e8f0}.wall{fill:none;stroke:#0f172a}.rock{fill:#334155}.met{fill:#0f172a;fill-"
+    "opacity:.55}"
     ".label{font:12px "
     "sans-serif;fill:#334155;text-anchor:middle}.way{fill:none;stroke-width:1.5;stroke-opacity:.8}</style>\n";
 constexpr std::string_view kColors[] = {"#2563eb", "#dc2626", "#059669", "#d97706",
@@ -119,8 +120,21 @@ void Plot::note(const run::MissionRun& run) {
   const auto& robots = run.fleet().robots();
   ways_.resize(std::min(robots.size(), kMost));
   for (std::size_t i = 0; i < ways_.size(); ++i) {
-    if (robots[i].life != fleet::RobotLife::kNotStarted)
-      ways_[i].push_back(run.fleet().pose(robots[i]).position);
+    if (robots[i].life == fleet::RobotLife::kNotStarted) continue;
+    ways_[i].push_back(run.fleet().pose(robots[i]).position);
+    if (!robots[i].program->vehicle().empty()) note_met(run, robots[i]);
+  }
+}
+
+void Plot::note_met(const run::MissionRun& run, const fleet::FleetRobot& robot) {
+  const geom::Pose pose = run.fleet().pose(robot);
+  const percept::Percepts percepts =
+      run.fleet().perceive_at(robot, pose, {{percept::Sensor::kObstacles}}, run.cycle_duration());
+  for (const percept::Obstacle& obstacle : percepts.obstacles) {
+    const binding::Disc disc{pose.point_at(obstacle.center), obstacle.radius};
+    const bool is_known = std::ranges::any_of(
+        met_, [&](const binding::Disc& other) { return geom::distance(other.center, disc.center) < kSame; });
+    if (!is_known && met_.size() < kMostThings) met_.push_back(disc);
   }
 }
 
@@ -142,6 +156,10 @@ std::string Plot::svg(const run::MissionRun& run) const {
   for (const binding::MovingDisc& disc : run.world().moving_discs()) {
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"rock\"/>\n",
                        view.x(disc.center), view.y(disc.center), std::max(1.0, disc.radius * view.scale));
+  }
+  for (const binding::Disc& disc : met_) {
+    out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" class=\"met\"/>\n",
+                       view.x(disc.center), view.y(disc.center), std::max(2.0, disc.radius * view.scale));
   }
   const auto& robots = run.fleet().robots();
   for (std::size_t i = 0; i < ways_.size(); ++i) {

@@ -63,7 +63,8 @@ struct Bodies {
   std::vector<double> pan;             ///< of the camera, counter-clockwise from ahead [rad]
   std::vector<std::uint32_t> carried;  ///< index of the object + 1; 0: none
   std::vector<std::uint8_t> present;
-  std::vector<std::uint8_t> held;  ///< must stay in the mission area
+  std::vector<std::uint8_t> is_guest;  ///< moves only where somebody puts it, for it is of elsewhere
+  std::vector<std::uint8_t> held;      ///< must stay in the mission area
 
   std::size_t count() const { return x.size(); }
   geom::Point position(std::size_t i) const { return {x[i], y[i]}; }

@@ -161,7 +161,7 @@ void Simulator::Parts::want(const percept::Action& action, std::uint32_t body, d
   Bodies& bodies = state.bodies;
   Offset& motion = contact.motions()[body];
   motion = {};
-  if (!bodies.present[body]) return;
+  if (!bodies.present[body] || bodies.is_guest[body]) return;
   const BodySpec& spec = state.kinds[bodies.kind[body]].spec;
   const Kinematics& kinematics = spec.kinematics;
   const WantedMotion wanted =
@@ -257,6 +257,7 @@ std::optional<Placement> Simulator::add_body(const BodySetup& setup) {
   bodies.pan.push_back(0.0);
   bodies.carried.push_back(0);
   bodies.present.push_back(1);
+  bodies.is_guest.push_back(0);
   bodies.held.push_back(is_held ? 1 : 0);
   p.placer.add(bodies, index);
   p.is_stale = true;
@@ -325,7 +326,9 @@ void Simulator::put_body(BodyIndex body, const geom::Pose& pose, geom::Offset ve
   Bodies& bodies = parts_->state.bodies;
   const std::uint32_t i = body.value;
   const geom::Offset ahead{std::cos(pose.heading), std::sin(pose.heading)};
-  bodies.distance[i] += distance(bodies.position(i), pose.position);
+  // From where it was thought to be it has not driven.
+  if (bodies.is_guest[i]) bodies.distance[i] += distance(bodies.position(i), pose.position);
+  bodies.is_guest[i] = 1;
   bodies.put(i, pose, ahead);
   bodies.counted[i] = pose;
   bodies.momentum[i] = {velocity, dot(velocity, ahead), turn_rate};

@@ -84,7 +84,7 @@ class Simulator {
   /// Changes the unit, as for BodySetup::unit.
   void set_unit(BodyIndex body, std::uint32_t unit);
 
-  /// Puts a body somewhere, whatever is there: as Binding::place.
+  /// Puts a body somewhere, whatever is there: as Binding::place. From now on it moves only by this.
   void put_body(BodyIndex body, const geom::Pose& pose, geom::Offset velocity, double turn_rate);
 
   // ---- the cycle

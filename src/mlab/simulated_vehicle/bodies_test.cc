@@ -135,6 +135,33 @@ TEST_F(VehicleBodies, HaveARobotWhereTheVehicleSaysThatItIs) {
   EXPECT_TRUE(bodies_->capabilities(placed->body).overlooks);
 }
 
+TEST_F(VehicleBodies, DriveAsFarAsTheVehicleSays) {
+  say({{12.0, 21.0}, 0.0});
+  const auto placed = embody(1, 10.0, 20.0);
+  ASSERT_TRUE(placed) << placed.error();
+  for (int i = 1; i <= 10; ++i) {
+    say({{12.0 + 0.1 * i, 21.0}, 0.0});  // through the obstacle of the map, which is not there
+    hear();
+    carry_out({ahead(0.5)});
+  }
+  const binding::BodyState body = bodies_->view().body(placed->body);
+  EXPECT_NEAR(body.distance_driven, 1.0, 1e-9);
+  EXPECT_EQ(body.contacts, 0U);
+  EXPECT_NEAR(body.velocity.x, 0.2, 1e-9) << "as it says";
+}
+
+TEST_F(VehicleBodies, KnowElsewhereWhatTheVehicleHasSeen) {
+  say({{1.0, 0.0}, std::numbers::pi / 2.0}, false);
+  const auto placed = embody(1, 10.0, 30.0);
+  ASSERT_TRUE(placed) << placed.error();
+  // Two metres to its left; it was put there with a heading of 0.
+  const auto seen =
+      bodies_->view().sense_at(placed->body, {{10.0, 31.0}, 0.0}, {{percept::Sensor::kObstacles, 20.0}});
+  ASSERT_EQ(seen.obstacles.size(), 1U);
+  EXPECT_NEAR(seen.obstacles[0].center.x, 0.0, 0.1);
+  EXPECT_NEAR(seen.obstacles[0].center.y, 1.0, 0.1);
+}
+
 TEST_F(VehicleBodies, BeginAtTheMissionsPlaceWhereTheVehicleOnlyCountsItsWay) {
   say({{1.0, 0.0}, std::numbers::pi / 2.0}, false);
   const auto placed = embody(1, 10.0, 30.0);

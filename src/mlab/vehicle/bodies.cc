@@ -33,6 +33,12 @@ geom::Pose frame_with(const geom::Pose& pose, const geom::Pose& there) {
   return out;
 }
 
+// The pose in the frame of what is there in the world.
+geom::Pose in_frame(const geom::Pose& frame, const geom::Pose& there) {
+  const geom::Vector from = frame.to_robot(there.position);
+  return {{from.x, from.y}, base::wrap_angle(there.heading - frame.heading)};
+}
+
 std::string why_not_ready(const Report& report) {
   if (!report.why.empty()) return report.why;
   if (report.readiness == Readiness::kAbsent) return "has no device";
@@ -242,6 +248,15 @@ void Bodies::sense_with(State& state, const percept::Needs& needs, percept::Perc
   out.range_limit = state.range_limit;
 }
 
+void Bodies::sense_elsewhere(State& state, const geom::Pose& pose, const percept::Needs& needs,
+                             percept::Percepts& out) {
+  using percept::Sensor;
+  if (!state.motion) return;
+  if (needs.has(Sensor::kObstacles))
+    out.obstacles = state.map.obstacles(in_frame(state.frame, pose), needs[Sensor::kObstacles], out.robots);
+  out.ranges = {};
+}
+
 void Bodies::percepts(std::span<const binding::Sensing> robots, int worker) {
   others_->percepts(robots, worker);
   for (const binding::Sensing& one : robots) {
@@ -257,7 +272,9 @@ percept::Percepts Bodies::sense(BodyIndex body, const percept::Needs& needs) con
 
 percept::Percepts Bodies::sense_at(BodyIndex body, const geom::Pose& pose,
                                    const percept::Needs& needs) const {
-  return others_->view().sense_at(body, pose, needs);
+  percept::Percepts out = others_->view().sense_at(body, pose, needs);
+  if (Vehicle* const vehicle = of(body)) sense_elsewhere(vehicle->now, pose, needs, out);
+  return out;
 }
 
 void Bodies::command(Vehicle& vehicle, const percept::Action& action, double dt) const {

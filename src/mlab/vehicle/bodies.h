@@ -109,6 +109,9 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   void put(const State& state);
   static geom::Pose pose_of(const State& state);
   static void sense_with(State& state, const percept::Needs& needs, percept::Percepts& out);
+  /// What it would know of if it stood elsewhere, by what it has seen from where it was.
+  static void sense_elsewhere(State& state, const geom::Pose& pose, const percept::Needs& needs,
+                              percept::Percepts& out);
   void command(Vehicle& vehicle, const percept::Action& action, double dt) const;
   std::string ailment_of(Vehicle& vehicle) const;
 

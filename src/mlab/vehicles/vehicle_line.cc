@@ -20,12 +20,15 @@ class DdsLine final : public vehicle::Line {
         commands_(std::move(commands)),
         name_(std::move(name)) {}
 
-  /// Until it is heard, or the time is over.
+  /// Until it has said where it is, or the time is over.
   void wait(std::chrono::milliseconds patience) {
     const auto last = std::chrono::steady_clock::now() + patience;
-    while (!first_ && std::chrono::steady_clock::now() < last) {
+    wire::VehicleReport report;
+    while (!report.has_motion() && std::chrono::steady_clock::now() < last) {
       waiter_.wait(std::chrono::milliseconds(20));
       first_ = hear();
+      // What is no report is told where it is taken.
+      if (!first_ || !report.ParseFromString(*first_)) report.Clear();
     }
   }
 
@@ -47,7 +50,7 @@ class DdsLine final : public vehicle::Line {
   dds::Reader reports_;
   dds::Writer commands_;
   std::string name_;
-  std::optional<std::string> first_;  // that was waited for
+  std::optional<std::string> first_;  // what was heard while it waited
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ inline std::string commands_topic(std::string_view vehicle) {
 }
 
 /// Over DDS, to the member of a fleet that is a vehicle of that name.
-/// @param patience  so long it is waited for to be heard
+/// @param patience  so long it is waited for, at most, until the vehicle has said where it is
 /// @errors  a sentence
 std::expected<std::unique_ptr<vehicle::Line>, std::string> open_line(
     const std::shared_ptr<agents::Roster>& roster, const std::string& name,
