@@ -333,5 +333,27 @@ TEST_F(Way, NothingRemainsAtTheStation) {
   EXPECT_DOUBLE_EQ(p.output<double>(), 40.0);
 }
 
+// As where a sonar hears something at the goal, and what is nearest to it is where the robot is by chance.
+TEST_F(Way, NobodyIsThereSinceThePlaceHasJustMovedToHim) {
+  flow::BehaviorProbe p = probe("WayRemaining");
+  p.percepts.pose.position = {50.0, 30.0};
+  p.percepts.order.sequence = 1;
+  p.set("way", straight({0.0, 30.0}, {100.0, 30.0})).set("progress", 45.0);
+  p.step();
+  EXPECT_DOUBLE_EQ(p.output<double>(), 55.0);
+  PlannedWay shorter = straight({0.0, 30.0}, {50.0, 30.0});
+  shorter.version = 2;
+  p.set("way", shorter);
+  p.percepts.time = 10.0;
+  p.step();
+  EXPECT_DOUBLE_EQ(p.output<double>(), 5.0);
+  p.percepts.time = 12.9;
+  p.step();
+  EXPECT_DOUBLE_EQ(p.output<double>(), 5.0);
+  p.percepts.time = 13.0;
+  p.step();
+  EXPECT_DOUBLE_EQ(p.output<double>(), 0.0);
+}
+
 }  // namespace
 }  // namespace mlab::library_test
