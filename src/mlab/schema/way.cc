@@ -374,6 +374,9 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     const geom::Point place = place_at(there);
     if (distance(place, here) >= away && clearing.is_free(place)) return {place, there};
   }
+  // The way leads there, though it may be nearer to something than the way keeps.
+  const bool is_goal = way.end == WayEnd::kGoal && station.x == 0.0 && station.y == 0.0;
+  if (is_goal) return {points.back(), end};
   const auto last = clearing.nearest_free(place_at(end));
   const bool is_there = last && !is_apart(way_at(std::clamp(end, 0.0, length)), *last);
   return {is_there ? *last : way_at(std::max(0.0, length - in_file())), end};

@@ -160,6 +160,19 @@ ways::PlannedWay way_along(const std::vector<Point>& corners) {
   return out;
 }
 
+TEST(PlaceOnWay, IsTheGoalItselfWhereTheWayLeadsThere) {
+  const Known known = with_disc();
+  const Point goal{62.0, 50.0};  // 2 m from the disc, less than the way keeps elsewhere
+  auto way = way_along({{90.0, 50.0}, goal});
+  way.clearance = 5.0;
+  way.end = WayEnd::kGoal;
+  const auto place = [&](Vector station) {
+    return place_on_way(known.ground(), way, station, [] { return 0.0; }, 1e3, {90.0, 50.0}, 0.0).place;
+  };
+  EXPECT_EQ(place({}), goal);
+  EXPECT_GE(distance(place({0.0, 0.5, 0.0}), {50.0, 50.0}), 15.0) << "a station keeps off it";
+}
+
 TEST(LeadsOn, SaysHowFarOffTheWayOneIs) {
   const Known known{{}, {}, next_revision()};
   auto way = way_along({{0.0, 0.0}, {50.0, 0.0}});
