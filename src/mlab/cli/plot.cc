@@ -86,6 +86,18 @@ std::string measure_svg(const View& view, const overlay::ControlMeasure& measure
   return out;
 }
 
+geom::Point middle_of_longest_piece(const std::vector<geom::Point>& line) {
+  geom::Point out = line.front();
+  double longest = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double length = geom::distance(line[i - 1], line[i]);
+    if (length <= longest) continue;
+    longest = length;
+    out = line[i - 1] + (line[i] - line[i - 1]) * 0.5;
+  }
+  return out;
+}
+
 std::string measure_label(const View& view, const overlay::ControlMeasure& measure) {
   using enum overlay::MeasureKind;
   if (!measure.shows_label || measure.name.empty()) return "";
@@ -99,7 +111,7 @@ std::string measure_label(const View& view, const overlay::ControlMeasure& measu
     return label(view, first.y < last.y ? first : last, 14.0, measure.name);  // at the lower end
   }
   const double half_width = is_lane(measure.kind) ? measure.size * view.scale / 2.0 : 0.0;
-  return label(view, first + (last - first) * 0.5, -6.0 - half_width, measure.name);
+  return label(view, middle_of_longest_piece(measure.points), -6.0 - half_width, measure.name);
 }
 
 constexpr std::string_view kStyle =
