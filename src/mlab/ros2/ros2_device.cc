@@ -36,6 +36,10 @@ vehicle::Limits robot_limits() {
   return out;
 }
 
+double standstill_with_goals(double look_ahead, double max_speed) {
+  return 2.0 * look_ahead / max_speed + 5.0;
+}
+
 Ros2Device::Ros2Device(std::unique_ptr<Link> link, const RobotSettings& settings)
     : settings_(settings),
       link_(std::move(link)),
