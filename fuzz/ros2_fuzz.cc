@@ -1,6 +1,7 @@
-// Whatever a robot under ROS 2 publishes, message by message: numbers out of the input, among them those that are none, stamps of
-// any time, frames with few names, so that they meet. What is reported is a number and not of the future, and the robot is
-// never told to be faster than its limits, nor to move while nobody drives it.
+// Whatever a robot under ROS 2 publishes, message by message: numbers out of the input, among them those that
+// are none, stamps of any time, frames with few names, so that they meet. What is reported is a number and
+// not of the future, and the robot is never told to be faster than its limits, nor to move while nobody
+// drives it.
 
 #include <algorithm>
 #include <bit>
@@ -54,7 +55,8 @@ class Input {
     return kFrames[byte() % std::size(kFrames)];
   }
   ros2::Stamp stamp(Clock::time_point now) {
-    const auto seconds = std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
+    const auto seconds =
+        std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
     const std::uint8_t kind = byte();
     if (kind < 16) return {static_cast<std::int32_t>(word()), word()};
     const auto late = static_cast<std::int64_t>(kind) - 200;
@@ -93,7 +95,9 @@ class Script final : public ros2::Link {
  private:
   void add(ros2::Heard& heard) {
     switch (input_.byte() % 8) {
-      case 0: add_scan(heard); break;
+      case 0:
+        add_scan(heard);
+        break;
       case 1:
         heard.transforms.push_back({input_.frame(), input_.frame(), vector(), rotation(),
                                     input_.byte() % 2 == 0, input_.byte() % 2 == 0});

@@ -1,5 +1,5 @@
-// The bytes that go over the network are those that ROS has for the messages, as another implementation reads and writes them with
-// ROS's own definitions.
+// The bytes that go over the network are those that ROS has for the messages, as another implementation reads
+// and writes them with ROS's own definitions.
 
 #include <chrono>
 #include <cstdio>
@@ -73,7 +73,8 @@ std::vector<nlohmann::json> read_by_them(const std::vector<Taken>& messages) {
 class Ros2Messages : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::is_directory(std::filesystem::path(MLAB_VEHICLES_FOLDER) / "node_modules/@foxglove"))
+    if (!std::filesystem::is_directory(std::filesystem::path(MLAB_VEHICLES_FOLDER) /
+                                       "node_modules/@foxglove"))
       GTEST_SKIP() << "no @foxglove/rosmsg2-serialization in " << MLAB_VEHICLES_FOLDER
                    << ": ./mlab test --only e2e installs it";
     LinkSettings settings;

@@ -23,7 +23,8 @@ namespace {
 
 std::expected<int, std::string> domain_of(const Ros2Options& options) {
   if (options.domain) return *options.domain;
-  const char* const set = std::getenv("ROS_DOMAIN_ID");  // NOLINT(concurrency-mt-unsafe): nobody sets any here
+  const char* const set =
+      std::getenv("ROS_DOMAIN_ID");  // NOLINT(concurrency-mt-unsafe): nobody sets any here
   const std::string text = set == nullptr ? "" : set;
   if (text.empty()) return 0;
   int out = 0;
@@ -104,8 +105,9 @@ void add_ros2(CLI::App* c, Ros2Options& o) {
                 "address of the robot's machine, where the network carries no multicast; again for each")
       ->check(refuse_if_empty)
       ->type_name("ADDRESS");
-  c->add_option("--drives", o.drives,
-                "velocities: the robot is told how fast to go, on cmd_vel; nav2: where to go, as goals of Nav2")
+  c->add_option(
+       "--drives", o.drives,
+       "velocities: the robot is told how fast to go, on cmd_vel; nav2: where to go, as goals of Nav2")
       ->check(CLI::IsMember({kDrivesVelocities, kDrivesNav2}))
       ->default_str(kDrivesVelocities)
       ->type_name("WORD");

@@ -28,6 +28,8 @@ constexpr TopicQos kKeptMany{.is_reliable = true, .is_for_latecomers = true, .de
 
 constexpr std::string_view kTwist = "geometry_msgs/msg/Twist";
 constexpr std::string_view kTwistStamped = "geometry_msgs/msg/TwistStamped";
+/// By this, and only by this, rmw_cyclonedds tells its servers' names.
+constexpr std::string_view kServer = "serviceid=";
 constexpr std::string_view kNode = "missionlab";
 /// What is said last is to get out before its writer goes.
 constexpr dds_duration_t kParting = DDS_MSECS(100);
@@ -79,6 +81,8 @@ class DdsLink final : public Link {
   void meet_listeners();
   Made velocity_writer(const dds_topic_descriptor_t& descriptor, std::string_view type);
   void announce();
+  /// Whether who serves goals speaks services as we do.
+  void look_at_navigator();
 
   LinkSettings settings_;
   std::string name_;
@@ -92,6 +96,8 @@ class DdsLink final : public Link {
   Endpoint goal_, goal_reply_, cancel_, cancel_reply_, goal_states_;
   std::uint64_t client_ = 0;
   std::int64_t requests_ = 0;
+  std::array<int, 4> servers_{};  // of goals and of taking them back, now and ever, when they were looked at
+  bool has_navigator_ = false;
   bool is_announced_ = false;
   std::vector<std::string> news_;
 };
@@ -184,9 +190,29 @@ void DdsLink::add_transforms(const Endpoint& reader, bool is_static, bool is_own
   });
 }
 
+// A request of another form would be taken for another one: to go somewhere else, say.
+void DdsLink::look_at_navigator() {
+  if (!goal_) return;
+  const std::array servers = {goal_.readers(), cancel_.readers(), goal_.readers_so_far(),
+                              cancel_.readers_so_far()};
+  if (servers == servers_) return;
+  servers_ = servers;
+  const auto speaks_as_we = [](const Endpoint& writer) {
+    const auto words = writer.words_of_readers();
+    return std::ranges::all_of(words, [](const std::string& one) { return one.contains(kServer); });
+  };
+  const bool is_there = servers[0] > 0 && servers[1] > 0;
+  has_navigator_ = is_there && speaks_as_we(goal_) && speaks_as_we(cancel_);
+  if (is_there && !has_navigator_)
+    news_.push_back(
+        "has a navigator that speaks services otherwise: RMW_IMPLEMENTATION=rmw_cyclonedds_cpp there mends "
+        "that");
+}
+
 void DdsLink::hear(Heard& heard) {
   discovery_->look();
   meet_listeners();
+  look_at_navigator();
   announce();
   add_transforms(tf_, false, false, heard);
   add_transforms(tf_static_, true, false, heard);
@@ -205,16 +231,18 @@ void DdsLink::hear(Heard& heard) {
   take_all<sensor_msgs_msg_dds__BatteryState_>(battery_.handle(), [&](const auto& message, const auto&) {
     heard.batteries.push_back(message_of(message));
   });
-  take_all<action_msgs_msg_dds__GoalStatusArray_>(goal_states_.handle(), [&](const auto& message, const auto&) {
-    for (std::uint32_t i = 0; i < message.status_list._length; ++i)
-      heard.goals.push_back(message_of(message.status_list._buffer[i]));
-  });
+  take_all<action_msgs_msg_dds__GoalStatusArray_>(
+      goal_states_.handle(), [&](const auto& message, const auto&) {
+        for (std::uint32_t i = 0; i < message.status_list._length; ++i)
+          heard.goals.push_back(message_of(message.status_list._buffer[i]));
+      });
   using Answer = nav2_msgs_action_dds__NavigateToPose_SendGoal_Response_;
   take_all<Answer>(goal_reply_.handle(), [&](const Answer& message, const auto&) {
     if (message.guid == client_) heard.answers.push_back({message.seq, message.accepted});
   });
   // Whether goals were taken back is seen by the robot's standing.
-  take_all<action_msgs_srv_dds__CancelGoal_Response_>(cancel_reply_.handle(), [](const auto&, const auto&) {});
+  take_all<action_msgs_srv_dds__CancelGoal_Response_>(cancel_reply_.handle(),
+                                                      [](const auto&, const auto&) {});
 }
 
 DdsLink::Made DdsLink::velocity_writer(const dds_topic_descriptor_t& descriptor, std::string_view type) {
@@ -281,7 +309,7 @@ void DdsLink::announce() {
 Listeners DdsLink::listeners() const {
   return {.twist = twist_ && twist_.readers() > 0,
           .twist_stamped = stamped_twist_ && stamped_twist_.readers() > 0,
-          .navigator = goal_ && goal_.readers() > 0 && cancel_.readers() > 0};
+          .navigator = has_navigator_};
 }
 
 void DdsLink::say(const Velocity& velocity) {
@@ -313,6 +341,7 @@ void DdsLink::say(const State& state) {
 }
 
 std::int64_t DdsLink::send(const Goal& goal) {
+  if (!has_navigator_) return 0;
   auto message = request_of(goal);
   message.guid = client_;
   message.seq = ++requests_;
@@ -321,7 +350,7 @@ std::int64_t DdsLink::send(const Goal& goal) {
 }
 
 void DdsLink::cancel_all_goals() {
-  if (!cancel_) return;
+  if (!has_navigator_) return;
   action_msgs_srv_dds__CancelGoal_Request_ message{};  // no goal and no time: all of them
   message.guid = client_;
   message.seq = ++requests_;

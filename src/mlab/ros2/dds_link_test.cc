@@ -14,8 +14,8 @@
 namespace mlab::ros2 {
 namespace {
 
-using testing::DdsRobot;
 using std::chrono::milliseconds;
+using testing::DdsRobot;
 
 LinkSettings settings_here(bool has_goals = false) {
   LinkSettings out;
@@ -138,7 +138,7 @@ TEST_F(DdsLinkTest, IsListedAsANodeAndLeavesWithItsLastWord) {
 
 TEST_F(DdsLinkTest, AsksANavigatorForGoalsAndTakesThemBack) {
   open(true);
-  DdsRobot robot(DdsRobot::Listens::kNot, true);
+  DdsRobot robot(DdsRobot::Listens::kNot, DdsRobot::Navigator::kOurs);
   ASSERT_TRUE(comes_true([&] {
     link->hear(heard);
     return link->listeners().navigator;
@@ -165,6 +165,25 @@ TEST_F(DdsLinkTest, AsksANavigatorForGoalsAndTakesThemBack) {
   EXPECT_EQ(heard.goals[0].state, GoalState::kExecuting);
   link->cancel_all_goals();
   EXPECT_TRUE(comes_true([&] { return robot.take_cancels() == 1; }));
+}
+
+TEST_F(DdsLinkTest, AsksNothingOfANavigatorThatWouldTakeItForSomethingElse) {
+  open(true);
+  DdsRobot robot(DdsRobot::Listens::kNot, DdsRobot::Navigator::kOther);
+  std::vector<std::string> news;
+  ASSERT_TRUE(comes_true([&] {
+    link->hear(heard);
+    return !(news = link->take_news()).empty();
+  }));
+  EXPECT_EQ(news[0],
+            "has a navigator that speaks services otherwise: RMW_IMPLEMENTATION=rmw_cyclonedds_cpp there "
+            "mends that");
+  EXPECT_FALSE(link->listeners().navigator);
+  EXPECT_EQ(link->send(Goal{}), 0);
+  link->cancel_all_goals();
+  std::this_thread::sleep_for(milliseconds(50));
+  EXPECT_TRUE(robot.take_goals().empty());
+  EXPECT_EQ(robot.take_cancels(), 0);
 }
 
 TEST_F(DdsLinkTest, SharesAProcessWithAFleetOfTheSameNumber) {

@@ -14,15 +14,6 @@ namespace {
 /// Names of types that strangers make up are not kept without end.
 constexpr std::size_t kMostTypes = 8;
 
-bool has_hash(const dds_qos_t* qos) {
-  void* bytes = nullptr;
-  std::size_t size = 0;
-  if (qos == nullptr || !dds_qget_userdata(qos, &bytes, &size) || bytes == nullptr) return false;
-  const bool out = std::string_view(static_cast<const char*>(bytes), size).contains("typehash=RIHS01_");
-  dds_free(bytes);
-  return out;
-}
-
 }  // namespace
 
 std::expected<Discovery, std::string> Discovery::begin(const RosParticipant& participant,
@@ -41,7 +32,7 @@ void Discovery::take(const dds_builtintopic_endpoint_t& endpoint) {
   static_assert(sizeof endpoint.participant_key.v == owner.size());
   std::memcpy(owner.data(), endpoint.participant_key.v, owner.size());
   if (owner == own_) return;
-  has_type_hashes_ = has_type_hashes_ || has_hash(endpoint.qos);
+  has_type_hashes_ = has_type_hashes_ || user_data_of(endpoint.qos).contains("typehash=RIHS01_");
   if (endpoint.topic_name == nullptr || endpoint.type_name == nullptr ||
       velocity_topic_ != endpoint.topic_name)
     return;

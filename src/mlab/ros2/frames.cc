@@ -7,12 +7,13 @@ namespace mlab::ros2 {
 namespace {
 
 constexpr std::size_t kLongestName = 200;
-constexpr int kDeepest = 64;         // a chain that is longer has a ring in it
-constexpr double kFarthestOrigin = 1e7;    // [m]
-constexpr double kLeastNorm = 0.01;  // of what is meant to have length 1
+constexpr int kDeepest = 64;             // a chain that is longer has a ring in it
+constexpr double kFarthestOrigin = 1e7;  // [m]
+constexpr double kLeastNorm = 0.01;      // of what is meant to have length 1
 
 bool is_finite(const Vector3& v) {
-  return std::abs(v.x) <= kFarthestOrigin && std::abs(v.y) <= kFarthestOrigin && std::abs(v.z) <= kFarthestOrigin;
+  return std::abs(v.x) <= kFarthestOrigin && std::abs(v.y) <= kFarthestOrigin &&
+         std::abs(v.z) <= kFarthestOrigin;
 }
 
 Quaternion operator*(const Quaternion& a, const Quaternion& b) {
@@ -28,8 +29,8 @@ Vector3 turned(const Quaternion& q, const Vector3& v) {
 }  // namespace
 
 std::optional<Placement> placement_of(const Vector3& translation, const Quaternion& rotation) {
-  const double square = rotation.x * rotation.x + rotation.y * rotation.y + rotation.z * rotation.z +
-                        rotation.w * rotation.w;
+  const double square =
+      rotation.x * rotation.x + rotation.y * rotation.y + rotation.z * rotation.z + rotation.w * rotation.w;
   if (!is_finite(translation) || !(square >= kLeastNorm && square <= 1.0 / kLeastNorm)) return std::nullopt;
   const double by = 1.0 / std::sqrt(square);
   return Placement{translation, {rotation.x * by, rotation.y * by, rotation.z * by, rotation.w * by}};

@@ -11,10 +11,10 @@ namespace {
 
 /// A navigator plans anew for each goal.
 constexpr std::chrono::milliseconds kBetweenGoals{500};
-constexpr double kMoved = 0.25;           // a target that has moved less is the same one [m]
-constexpr double kTurned = 0.2;           // [rad]
-constexpr double kLeastTurnRate = 1e-3;   // below it goes straight [rad/s]
-constexpr double kLongest = 30.0;         // that it looks ahead [s]
+constexpr double kMoved = 0.25;          // a target that has moved less is the same one [m]
+constexpr double kTurned = 0.2;          // [rad]
+constexpr double kLeastTurnRate = 1e-3;  // below it goes straight [rad/s]
+constexpr double kLongest = 30.0;        // that it looks ahead [s]
 
 }  // namespace
 
@@ -24,8 +24,7 @@ Goals::Goals(double look_ahead, double max_speed, std::uint64_t session)
 geom::Pose Goals::ahead(const geom::Pose& pose, const vehicle::Command& command) const {
   double time = std::min(look_ahead_ / max_speed_, kLongest);
   const double rate = command.turn_rate;
-  if (std::abs(rate) < kLeastTurnRate)
-    return {pose.point_at({command.speed * time, 0.0, 0.0}), pose.heading};
+  if (std::abs(rate) < kLeastTurnRate) return {pose.point_at({command.speed * time, 0.0, 0.0}), pose.heading};
   time = std::min(time, std::numbers::pi / std::abs(rate));
   const double turn = rate * time;
   const double radius = command.speed / rate;

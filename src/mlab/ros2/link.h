@@ -66,7 +66,8 @@ class Link {
   /// Says it to all who listen to velocities.
   virtual void say(const Velocity& velocity) = 0;
   virtual void say(const State& state) = 0;
-  /// @return  the number of the request
+  /// Nothing is sent where there is no navigator.
+  /// @return  the number of the request; 0: it was not sent
   virtual std::int64_t send(const Goal& goal) = 0;
   /// All goals of that navigator, whoever sent them.
   virtual void cancel_all_goals() = 0;

@@ -31,9 +31,10 @@ std::string name_problem(std::string_view name) {
     const std::size_t slash = rest.find('/');
     const std::string_view word = rest.substr(0, slash);
     if (!is_word(word))
-      return fmt::format("has `{}` in it: words of letters, digits and single `_`, with no digit before, and "
-                         "`/` between them",
-                         text::shown(word));
+      return fmt::format(
+          "has `{}` in it: words of letters, digits and single `_`, with no digit before, and "
+          "`/` between them",
+          text::shown(word));
     if (slash == std::string_view::npos) return "";
     rest = rest.substr(slash + 1);
   }

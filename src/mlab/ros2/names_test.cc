@@ -22,8 +22,7 @@ TEST(Names, AreRefusedWhereRosWouldNotTakeThem) {
   EXPECT_EQ(namespace_of("veh-1").error(),
             "the namespace `veh-1` has `veh-1` in it: words of letters, digits and single `_`, with no digit "
             "before, and `/` between them");
-  for (const char* const bad : {"1st", "a//b", "a__b", "a b", "a\nb"})
-    EXPECT_FALSE(namespace_of(bad)) << bad;
+  for (const char* const bad : {"1st", "a//b", "a__b", "a b", "a\nb"}) EXPECT_FALSE(namespace_of(bad)) << bad;
   EXPECT_FALSE(full_name("/veh1", ""));
   EXPECT_FALSE(full_name("/veh1", std::string(300, 'a')));
 }

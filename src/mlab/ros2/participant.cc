@@ -28,10 +28,13 @@ bool is_address(const std::string& text) {
 
 /// As Linux takes it, and nothing that would be something else in the configuration.
 bool is_interface_name(const std::string& name) {
-  return name.size() < 16 && std::ranges::all_of(name, [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-                  c == '_' || c == '.' || c == ':' || c == '@';
-         });
+  return name.size() < 16 && std::ranges::all_of(
+                                 name,
+                                 [](char c) {
+                                   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' ||
+                                          c == ':' || c == '@';
+                                 });
 }
 
 bool is_loopback(const RosNetwork& network) {
@@ -46,11 +49,11 @@ std::expected<std::string, std::string> peers_of(const RosNetwork& network) {
   std::string out = is_loopback(network) ? fmt::format("<Peer address=\"{}\"/>", kLoopback) : "";
   for (const std::string& one : network.peers) {
     if (!is_address(one))
-      return std::unexpected(fmt::format("`{}` is no IPv4 address such as 10.0.0.7: names are not looked up",
-                                         text::shown(one)));
+      return std::unexpected(
+          fmt::format("`{}` is no IPv4 address such as 10.0.0.7: names are not looked up", text::shown(one)));
     if (is_loopback(network) && !one.starts_with("127."))
-      return std::unexpected(fmt::format(
-          "`{}` can't be reached: without a network interface nothing leaves this machine", one));
+      return std::unexpected(
+          fmt::format("`{}` can't be reached: without a network interface nothing leaves this machine", one));
     out += fmt::format("<Peer address=\"{}\"/>", one);
   }
   return out;
@@ -58,19 +61,17 @@ std::expected<std::string, std::string> peers_of(const RosNetwork& network) {
 
 dds::Qos qos_of(const TopicQos& wanted, std::string_view type) {
   dds::Qos qos(dds_create_qos());
-  dds_qset_reliability(qos.get(),
-                       wanted.is_reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
+  dds_qset_reliability(qos.get(), wanted.is_reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
                        DDS_MSECS(1));
-  dds_qset_durability(qos.get(), wanted.is_for_latecomers ? DDS_DURABILITY_TRANSIENT_LOCAL
-                                                          : DDS_DURABILITY_VOLATILE);
+  dds_qset_durability(qos.get(),
+                      wanted.is_for_latecomers ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, wanted.depth);
   dds_qset_writer_data_lifecycle(qos.get(), false);
   const dds_data_representation_id_t representation = DDS_DATA_REPRESENTATION_XCDR1;
   dds_qset_data_representation(qos.get(), 1, &representation);
-  if (const auto hash = type_hash(type)) {
-    const std::string data = fmt::format("typehash={};", *hash);
-    dds_qset_userdata(qos.get(), data.data(), data.size());
-  }
+  const auto hash = type_hash(type);
+  const std::string data = fmt::format("{}{}", hash ? fmt::format("typehash={};", *hash) : "", wanted.more);
+  if (!data.empty()) dds_qset_userdata(qos.get(), data.data(), data.size());
   return qos;
 }
 
@@ -127,6 +128,34 @@ int Endpoint::readers() const {
   dds_publication_matched_status_t status{};
   return dds_get_publication_matched_status(handle(), &status) == 0 ? static_cast<int>(status.current_count)
                                                                     : 0;
+}
+
+int Endpoint::readers_so_far() const {
+  dds_publication_matched_status_t status{};
+  return dds_get_publication_matched_status(handle(), &status) == 0 ? static_cast<int>(status.total_count)
+                                                                    : 0;
+}
+
+std::string user_data_of(const dds_qos_t* qos) {
+  void* bytes = nullptr;
+  std::size_t size = 0;
+  if (qos == nullptr || !dds_qget_userdata(qos, &bytes, &size) || bytes == nullptr) return {};
+  std::string out(static_cast<const char*>(bytes), size);
+  dds_free(bytes);
+  return out;
+}
+
+std::vector<std::string> Endpoint::words_of_readers() const {
+  std::array<dds_instance_handle_t, 64> handles{};
+  const dds_return_t count = dds_get_matched_subscriptions(handle(), handles.data(), handles.size());
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < std::min(handles.size(), static_cast<std::size_t>(std::max(count, 0))); ++i) {
+    dds_builtintopic_endpoint_t* const one = dds_get_matched_subscription_data(handle(), handles[i]);
+    if (one == nullptr) continue;  // it has gone again
+    out.push_back(user_data_of(one->qos));
+    dds_builtintopic_free_endpoint(one);
+  }
+  return out;
 }
 
 Gid gid_of(dds_entity_t entity) {

@@ -35,6 +35,7 @@ struct TopicQos {
   bool is_reliable = false;
   bool is_for_latecomers = false;
   std::int32_t depth = 10;
+  std::string_view more = {};  ///< of what it says of itself (USER_DATA), besides its type's hash
 };
 
 using Gid = std::array<std::uint8_t, 16>;
@@ -49,6 +50,10 @@ struct Endpoint {
   /// How many others are at its other end, as what it is and in a way that goes together.
   int writers() const;
   int readers() const;
+  /// How many readers have ever been there; it tells that others are there though they are as many.
+  int readers_so_far() const;
+  /// What each of the readers says of itself (USER_DATA).
+  std::vector<std::string> words_of_readers() const;
 };
 
 /// Takes part in a domain of ROS, as a participant that Cyclone takes for one of a domain of its own: nothing
@@ -65,11 +70,12 @@ class RosParticipant {
   /// @param type  as ROS calls it, for its hash; empty: it has none
   /// @param in    the participant; 0: this one
   /// @errors  a sentence
-  std::expected<Endpoint, std::string> reader(const std::string& name, const dds_topic_descriptor_t& descriptor,
-                                              std::string_view type, const TopicQos& qos) const;
-  std::expected<Endpoint, std::string> writer(const std::string& name, const dds_topic_descriptor_t& descriptor,
-                                              std::string_view type, const TopicQos& qos,
-                                              dds_entity_t in = 0) const;
+  std::expected<Endpoint, std::string> reader(const std::string& name,
+                                              const dds_topic_descriptor_t& descriptor, std::string_view type,
+                                              const TopicQos& qos) const;
+  std::expected<Endpoint, std::string> writer(const std::string& name,
+                                              const dds_topic_descriptor_t& descriptor, std::string_view type,
+                                              const TopicQos& qos, dds_entity_t in = 0) const;
 
   dds_entity_t handle() const { return participant_.handle(); }
   Gid gid() const;
@@ -87,5 +93,7 @@ class RosParticipant {
 };
 
 Gid gid_of(dds_entity_t entity);
+/// What an endpoint says of itself: `key=value;` as often as needed.
+std::string user_data_of(const dds_qos_t* qos);
 
 }  // namespace mlab::ros2

@@ -121,9 +121,8 @@ bool Readings::mount(Scanner& scanner, const std::string& frame, vehicle::Scan& 
   if (!placement) {
     if (!scanner.waits_for_mount_since) scanner.waits_for_mount_since = now;
     if (now - *scanner.waits_for_mount_since < kMountPatience) return false;
-    tell(scanner,
-         fmt::format("is taken to be in the middle and to look ahead: no tf leads from `{}` to `{}`",
-                     text::shown(base_frame_), text::shown(frame)));
+    tell(scanner, fmt::format("is taken to be in the middle and to look ahead: no tf leads from `{}` to `{}`",
+                              text::shown(base_frame_), text::shown(frame)));
     return true;
   }
   scanner.waits_for_mount_since.reset();

@@ -29,8 +29,7 @@ class ReadingsTest : public ::testing::Test {
   }
   Stamp stamp() const {
     const auto millis = std::chrono::duration_cast<milliseconds>(now.time_since_epoch()).count() + offset;
-    return {static_cast<std::int32_t>(millis / 1000),
-            static_cast<std::uint32_t>(millis % 1000) * 1'000'000U};
+    return {static_cast<std::int32_t>(millis / 1000), static_cast<std::uint32_t>(millis % 1000) * 1'000'000U};
   }
   Odometry odometry() const {
     return {.stamp = stamp(),
@@ -272,9 +271,8 @@ TEST_F(ReadingsTest, DoNotUseScansOfAnotherClock) {
   other.stamp.sec += 20;
   take(other);
   EXPECT_FALSE(seen());
-  EXPECT_EQ(
-      readings->take_news(),
-      std::vector<std::string>{"scanner /scan is 20.0 s ahead of its odometry: is its clock another?"});
+  EXPECT_EQ(readings->take_news(),
+            std::vector<std::string>{"scanner /scan is 20.0 s ahead of its odometry: is its clock another?"});
   other.stamp.sec -= 1'000'000;
   take(other);
   EXPECT_FALSE(seen());

@@ -11,7 +11,7 @@ using std::chrono::milliseconds;
 /// What comes so much out of order was not overtaken: the clock was set.
 constexpr std::int64_t kSet = 1000;  // [ms]
 /// A stamp may run so far ahead of the time that has gone by, after a pause in which it waited somewhere.
-constexpr std::int64_t kAhead = 2000;      // [ms]
+constexpr std::int64_t kAhead = 2000;           // [ms]
 constexpr std::int64_t kFarthestStamp = 60000;  // [ms]
 constexpr std::uint32_t kNanosPerMilli = 1'000'000;
 

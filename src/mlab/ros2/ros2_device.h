@@ -15,8 +15,9 @@ namespace mlab::ros2 {
 /// Those of a robot of which nothing else is said: half a metre a second, never backwards.
 vehicle::Limits robot_limits();
 
-/// What can be promised of a robot that goes to its last goal by itself: twice as long as full speed takes for
-/// the look-ahead, and five seconds for the navigator to end. One that is held up on the way takes longer.
+/// What can be promised of a robot that goes to its last goal by itself: twice as long as full speed takes
+/// for the look-ahead, and five seconds for the navigator to end. One that is held up on the way takes
+/// longer.
 double standstill_with_goals(double look_ahead, double max_speed);
 
 /// How a robot is told where to go.

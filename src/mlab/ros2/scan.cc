@@ -32,8 +32,8 @@ std::string problem_of(const LaserScan& message) {
   return "";
 }
 
-/// REP 117: infinite where nothing was hit, minus infinite where something is too near. Many drivers say 0 for
-/// what they don't know.
+/// REP 117: infinite where nothing was hit, minus infinite where something is too near. Many drivers say 0
+/// for what they don't know.
 float distance_of(float range, const LaserScan& message) {
   if (range == kNothing) return kNothing;
   if (range == -kNothing) return message.range_min;

@@ -73,9 +73,9 @@ struct Plain {
   int number;
 };
 constexpr std::array kPlain = {
-    Plain{"int8", 2},     Plain{"uint8", 3},  Plain{"int16", 4},   Plain{"uint16", 5},   Plain{"int32", 6},
-    Plain{"uint32", 7},   Plain{"int64", 8},  Plain{"uint64", 9},  Plain{"float32", 10}, Plain{"float64", 11},
-    Plain{"bool", 15},    Plain{"byte", 16},  Plain{"string", 17},
+    Plain{"int8", 2},   Plain{"uint8", 3}, Plain{"int16", 4},   Plain{"uint16", 5},   Plain{"int32", 6},
+    Plain{"uint32", 7}, Plain{"int64", 8}, Plain{"uint64", 9},  Plain{"float32", 10}, Plain{"float64", 11},
+    Plain{"bool", 15},  Plain{"byte", 16}, Plain{"string", 17},
 };
 constexpr int kNested = 1;
 constexpr int kFixedArray = 48;
@@ -127,10 +127,10 @@ bool describe(std::string_view type, std::map<std::string, std::string>& out) {
   for (const std::string_view line : lines_of(text)) {
     const std::size_t blank = line.find(' ');
     const MemberType is = member_type(line.substr(0, blank));
-    fields += fmt::format(
-        R"({}{{"name": "{}", "type": {{"type_id": {}, "capacity": {}, "string_capacity": 0, )"
-        R"("nested_type_name": "{}"}}}})",
-        fields.empty() ? "" : ", ", line.substr(blank + 1), is.number, is.capacity, is.nested);
+    fields +=
+        fmt::format(R"({}{{"name": "{}", "type": {{"type_id": {}, "capacity": {}, "string_capacity": 0, )"
+                    R"("nested_type_name": "{}"}}}})",
+                    fields.empty() ? "" : ", ", line.substr(blank + 1), is.number, is.capacity, is.nested);
     if (!is.nested.empty()) nested.push_back(is.nested);
   }
   out[std::string(type)] = fmt::format(R"({{"type_name": "{}", "fields": [{}]}})", type, fields);
@@ -163,8 +163,8 @@ std::optional<std::string> type_hash(std::string_view type) {
     if (!others.empty()) others += ", ";
     others += description;
   }
-  return "RIHS01_" + sha256(fmt::format(
-                         R"({{"type_description": {}, "referenced_type_descriptions": [{}]}})", own, others));
+  return "RIHS01_" + sha256(fmt::format(R"({{"type_description": {}, "referenced_type_descriptions": [{}]}})",
+                                        own, others));
 }
 
 std::string dds_name_of(std::string_view type) {

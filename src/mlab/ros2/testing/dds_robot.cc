@@ -51,7 +51,7 @@ Endpoint DdsRobot::writer(const std::string& topic, const dds_topic_descriptor_t
   return std::move(*made);
 }
 
-DdsRobot::DdsRobot(Listens listens, bool has_navigator) : listens_(listens) {
+DdsRobot::DdsRobot(Listens listens, Navigator navigator) : listens_(listens) {
   RosNetwork network;
   network.domain = domain_of_this_process();
   auto opened = RosParticipant::open(network);
@@ -64,22 +64,22 @@ DdsRobot::DdsRobot(Listens listens, bool has_navigator) : listens_(listens) {
   if (listens == Listens::kTwistStamped)
     velocities_ = reader(in + "/cmd_vel", geometry_msgs_msg_dds__TwistStamped__desc,
                          "geometry_msgs/msg/TwistStamped", kReliable);
-  nodes_ =
-      reader("ros_discovery_info", rmw_dds_common_msg_dds__ParticipantEntitiesInfo__desc, "", kLatched);
+  nodes_ = reader("ros_discovery_info", rmw_dds_common_msg_dds__ParticipantEntitiesInfo__desc, "", kLatched);
   odometry_ = writer(in + "/odom", nav_msgs_msg_dds__Odometry__desc, "nav_msgs/msg/Odometry", kReliable);
   scan_ = writer(in + "/scan", sensor_msgs_msg_dds__LaserScan__desc, "sensor_msgs/msg/LaserScan", kReliable);
   battery_ = writer(in + "/battery_state", sensor_msgs_msg_dds__BatteryState__desc,
                     "sensor_msgs/msg/BatteryState", kReliable);
-  tf_static_ =
-      writer("rt/tf_static", tf2_msgs_msg_dds__TFMessage__desc, "tf2_msgs/msg/TFMessage", kLatched);
-  if (!has_navigator) return;
+  tf_static_ = writer("rt/tf_static", tf2_msgs_msg_dds__TFMessage__desc, "tf2_msgs/msg/TFMessage", kLatched);
+  if (navigator == Navigator::kNone) return;
+  TopicQos server = kReliable;
+  if (navigator == Navigator::kOurs) server.more = "serviceid=01.02.03;";
   const std::string action = namespace_of_this_process() + "/navigate_to_pose/_action/";
   goals_ = reader("rq" + action + "send_goalRequest",
-                  nav2_msgs_action_dds__NavigateToPose_SendGoal_Request__desc, "", kReliable);
+                  nav2_msgs_action_dds__NavigateToPose_SendGoal_Request__desc, "", server);
   answers_ = writer("rr" + action + "send_goalReply",
                     nav2_msgs_action_dds__NavigateToPose_SendGoal_Response__desc, "", kReliable);
-  cancels_ = reader("rq" + action + "cancel_goalRequest", action_msgs_srv_dds__CancelGoal_Request__desc, "",
-                    kReliable);
+  cancels_ =
+      reader("rq" + action + "cancel_goalRequest", action_msgs_srv_dds__CancelGoal_Request__desc, "", server);
   goal_states_ = writer("rt" + action + "status", action_msgs_msg_dds__GoalStatusArray__desc, "", kLatched);
 }
 

@@ -27,7 +27,9 @@ class DdsRobot {
     std::string frame;
   };
 
-  DdsRobot(Listens listens, bool has_navigator = false);
+  enum class Navigator { kNone, kOurs, kOther };  ///< kOther: it speaks services otherwise
+
+  DdsRobot(Listens listens, Navigator navigator = Navigator::kNone);
 
   void say(const Odometry& odometry);
   void say(const LaserScan& scan);

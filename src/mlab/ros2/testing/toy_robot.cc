@@ -56,8 +56,9 @@ class ToyRobot::End final : public Link {
   }
   std::int64_t send(const Goal& goal) override {
     ++requests_;
-    robot_.network.to_robot([robot = &robot_, goal, request = requests_] { robot->go_to(goal, request, robot->now_); },
-                            robot_.now_);
+    robot_.network.to_robot(
+        [robot = &robot_, goal, request = requests_] { robot->go_to(goal, request, robot->now_); },
+        robot_.now_);
     return requests_;
   }
   void cancel_all_goals() override {
@@ -94,9 +95,8 @@ void ToyRobot::obey(const Velocity& velocity) {
   told_at_ = now_;
   if (!spec_.is_stamped) return;
   const Stamp is = stamp_of(now_);
-  const double age =
-      static_cast<double>(is.sec - velocity.stamp.sec) +
-      (static_cast<double>(is.nanosec) - static_cast<double>(velocity.stamp.nanosec)) * 1e-9;
+  const double age = static_cast<double>(is.sec - velocity.stamp.sec) +
+                     (static_cast<double>(is.nanosec) - static_cast<double>(velocity.stamp.nanosec)) * 1e-9;
   told_at_ = now_ - std::chrono::duration_cast<vehicle::Clock::duration>(std::chrono::duration<double>(age));
 }
 

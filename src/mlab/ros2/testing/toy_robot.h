@@ -19,10 +19,10 @@ using Time = vehicle::Clock::time_point;
 /// What a robot for unit tests is like. The numbers are those of many: half a second without a command and it
 /// brakes.
 struct ToySpec {
-  bool is_stamped = false;    ///< listens to TwistStamped, and refuses what was said too long ago
-  bool has_navigator = false; ///< goes to goals; else it obeys velocities only
-  double watchdog = 0.5;      ///< [s]
-  double acceleration = 2.0;  ///< [m/s^2]
+  bool is_stamped = false;         ///< listens to TwistStamped, and refuses what was said too long ago
+  bool has_navigator = false;      ///< goes to goals; else it obeys velocities only
+  double watchdog = 0.5;           ///< [s]
+  double acceleration = 2.0;       ///< [m/s^2]
   double turn_acceleration = 6.0;  ///< [rad/s^2]
   double cruise = 0.4;             ///< of the navigator [m/s]
 };
@@ -80,15 +80,15 @@ class ToyRobot {
   double speed = 0.0;
   double turn_rate = 0.0;
   bool is_on = true;
-  bool listens = true;          ///< somebody does to its cmd_vel, or serves its navigator
-  bool tells_mount = true;      ///< on tf_static, each second
-  bool publishes = true;        ///< all of its topics
-  int velocities = 0;           ///< that it was told
-  int goals = 0;                ///< that it was given
+  bool listens = true;      ///< somebody does to its cmd_vel, or serves its navigator
+  bool tells_mount = true;  ///< on tf_static, each second
+  bool publishes = true;    ///< all of its topics
+  int velocities = 0;       ///< that it was told
+  int goals = 0;            ///< that it was given
   int cancels = 0;
-  std::optional<Goal> goal;     ///< that it goes to
-  std::vector<State> states;    ///< what was said of us
-  std::optional<Velocity> told; ///< last
+  std::optional<Goal> goal;      ///< that it goes to
+  std::vector<State> states;     ///< what was said of us
+  std::optional<Velocity> told;  ///< last
   std::function<void(Odometry&)> change_odometry = [](Odometry&) {};
 
  private:
