@@ -165,13 +165,14 @@ void Ros2Device::say_velocity(const vehicle::Command& command, Time now) {
 }
 
 void Ros2Device::say_state(Time now) {
+  const auto since = state_at_ ? now - *state_at_ : kBetweenStates;
+  if (since < kBetweenNewStates) return;
   const std::string why = why_not(now);
   const std::string_view doing = doing_ == Doing::kDriving   ? "drives it"
                                  : doing_ == Doing::kHalting ? "has it stand"
                                                              : "leaves it alone";
   const std::string message = why.empty() ? std::string(doing) : fmt::format("{}: it {}", doing, why);
-  const auto since = state_at_ ? now - *state_at_ : kBetweenStates;
-  if (since < (message == told_state_ ? kBetweenStates : kBetweenNewStates)) return;
+  if (message == told_state_ && since < kBetweenStates) return;
   state_at_ = now;
   told_state_ = message;
   State state;
