@@ -184,8 +184,8 @@ std::optional<vehicle::Motion> Readings::motion(Time now) const {
 
 std::string Readings::why_no_motion(Time now) const {
   if (!heard_at_) return "has not been heard yet";
-  const double silence = vehicle::seconds_between(*heard_at_, now);
-  if (now - *heard_at_ > kMotionLasts) return fmt::format("has said nothing for {:.1f} s", silence);
+  // Without the time that has gone by: who keeps what changes would keep a line for each tenth of a second.
+  if (now - *heard_at_ > kMotionLasts) return "has said nothing for more than a second";
   if (is_unstamped_) return "does not say when: its odometry has no times";
   if (is_senseless_) return "makes no sense: its odometry is no place and no speed";
   if (!clock_.is_settled(now)) return "has only just been heard, and its times can't be counted on yet";
