@@ -11,10 +11,13 @@ namespace {
 
 /// A navigator plans anew for each goal.
 constexpr std::chrono::milliseconds kBetweenGoals{500};
-constexpr double kMoved = 0.25;          // a target that has moved less is the same one [m]
-constexpr double kTurned = 0.2;          // [rad]
-constexpr double kLeastTurnRate = 1e-3;  // below it goes straight [rad/s]
-constexpr double kLongest = 30.0;        // that it looks ahead [s]
+constexpr double kMoved = 0.25;  // a target that has moved less is the same one [m]
+constexpr double kTurned = 0.2;  // [rad]
+/// Who steers by velocities turns hard until it looks right, which is long before a goal is reached; so a
+/// turn counts for little more than the time until the next goal, else it would swing to and fro.
+constexpr double kBendsFor = 0.4;  // while it goes [s]
+constexpr double kTurnsFor = 1.0;  // on the spot [s]
+constexpr double kStands = 0.02;   // what is slower does not go [m/s]
 
 }  // namespace
 
@@ -22,14 +25,11 @@ Goals::Goals(double look_ahead, double max_speed, std::uint64_t session)
     : look_ahead_(look_ahead), max_speed_(max_speed), session_(session) {}
 
 geom::Pose Goals::ahead(const geom::Pose& pose, const vehicle::Command& command) const {
-  double time = std::min(look_ahead_ / max_speed_, kLongest);
-  const double rate = command.turn_rate;
-  if (std::abs(rate) < kLeastTurnRate) return {pose.point_at({command.speed * time, 0.0, 0.0}), pose.heading};
-  time = std::min(time, std::numbers::pi / std::abs(rate));
-  const double turn = rate * time;
-  const double radius = command.speed / rate;
-  return {pose.point_at({radius * std::sin(turn), radius * (1.0 - std::cos(turn)), 0.0}),
-          base::wrap_angle(pose.heading + turn)};
+  const bool only_turns = std::abs(command.speed) < kStands;
+  const double turn = command.turn_rate * (only_turns ? kTurnsFor : kBendsFor);
+  const double heading = pose.heading + std::clamp(turn, -std::numbers::pi, std::numbers::pi);
+  const double way = only_turns ? 0.0 : command.speed * look_ahead_ / max_speed_;
+  return {geom::Pose{pose.position, heading}.point_at({way, 0.0, 0.0}), base::wrap_angle(heading)};
 }
 
 GoalId Goals::new_id() {

@@ -34,8 +34,8 @@ class Goals {
   /// Why the navigator does not go where it is told to, as a sentence without its subject; empty: it does.
   const std::string& problem() const { return problem_; }
 
-  /// Where a command leads that is obeyed so long as full speed takes for the look-ahead; at most half a turn
-  /// round.
+  /// Where a command leads: straight on, by the look-ahead at full speed, from where it has turned to in 0.4
+  /// s; or, where it only turns, on the spot in 1 s.
   geom::Pose ahead(const geom::Pose& pose, const vehicle::Command& command) const;
 
  private:

@@ -188,8 +188,9 @@ std::string Readings::why_no_motion(Time now) const {
   if (now - *heard_at_ > kMotionLasts) return "has said nothing for more than a second";
   if (is_unstamped_) return "does not say when: its odometry has no times";
   if (is_senseless_) return "makes no sense: its odometry is no place and no speed";
-  if (!clock_.is_settled(now)) return "has only just been heard, and its times can't be counted on yet";
-  if (!odometry_ || now - odometry_->at > kMotionLasts) return "tells only where it was long ago";
+  if (!clock_.is_settled(now) || !odometry_)
+    return "has only just been heard, and its times can't be counted on yet";
+  if (now - odometry_->at > kMotionLasts) return "tells only where it was long ago";
   return fmt::format("does not know where it is on the map: no tf leads from `{}` to `{}`",
                      text::shown(places_.map_frame), text::shown(odometry_frame_));
 }

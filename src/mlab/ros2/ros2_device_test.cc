@@ -142,12 +142,15 @@ TEST(Goals, LieWhereACommandLeads) {
   EXPECT_NEAR(straight.position.y, 3.0, 1e-9);
   EXPECT_EQ(straight.heading, from.heading);
   EXPECT_NEAR(goals.ahead(from, {0.25, 0.0}).position.y, 2.0, 1e-9) << "nearer where it is to be slower";
-  const geom::Pose turned = goals.ahead({}, {0.5, 1.0});
-  EXPECT_NEAR(std::abs(turned.heading), std::numbers::pi, 1e-9) << "at most half a turn";
-  EXPECT_NEAR(turned.position.y, 1.0, 1e-9);
-  const geom::Pose spun = goals.ahead({}, {0.0, -0.25});
-  EXPECT_NEAR(spun.heading, -1.0, 1e-9);
+  const geom::Pose bent = goals.ahead({}, {0.5, 1.0});
+  EXPECT_NEAR(bent.heading, 0.4, 1e-9);
+  EXPECT_NEAR(bent.position.x, 2.0 * std::cos(0.4), 1e-9);
+  EXPECT_NEAR(bent.position.y, 2.0 * std::sin(0.4), 1e-9);
+  const geom::Pose spun = goals.ahead({}, {0.0, -0.75});
+  EXPECT_NEAR(spun.heading, -0.75, 1e-9);
   EXPECT_EQ(spun.position.x, 0.0);
+  EXPECT_NEAR(std::abs(goals.ahead({}, {0.0, 50.0}).heading), std::numbers::pi, 1e-9)
+      << "at most half a turn";
 }
 
 TEST_F(Ros2DeviceTest, IsDrivenByGoalsThatRollAhead) {
