@@ -71,7 +71,7 @@ class Input {
 /// Hears what is in the input, and looks at what is said.
 class Script final : public ros2::Link {
  public:
-  Script(Input& input, bool& may_move) : input_(input), may_move_(may_move) {}
+  explicit Script(Input& input) : input_(input) {}
   const std::string& name() const override { return name_; }
   void hear(ros2::Heard& heard) override {
     for (int i = input_.byte() % 4; i > 0; --i) add(heard);
@@ -79,11 +79,11 @@ class Script final : public ros2::Link {
   ros2::Listeners listeners() const override { return listeners_; }
   void say(const ros2::Velocity& velocity) override {
     fuzz::require(std::abs(velocity.speed) <= 0.5 && std::abs(velocity.turn_rate) <= 1.0);
-    fuzz::require(may_move_ || (velocity.speed == 0.0 && velocity.turn_rate == 0.0));
+    fuzz::require(may_move || (velocity.speed == 0.0 && velocity.turn_rate == 0.0));
   }
   void say(const ros2::State& state) override { fuzz::require(state.message.size() < 1000); }
   std::int64_t send(const ros2::Goal& goal) override {
-    fuzz::require(may_move_ && std::isfinite(goal.x) && std::isfinite(goal.y) && std::isfinite(goal.heading));
+    fuzz::require(may_move && std::isfinite(goal.x) && std::isfinite(goal.y) && std::isfinite(goal.heading));
     id_ = goal.id;
     return ++requests_;
   }
@@ -91,6 +91,7 @@ class Script final : public ros2::Link {
   std::vector<std::string> take_news() override { return {}; }
 
   Clock::time_point now;
+  bool may_move = false;
 
  private:
   void add(ros2::Heard& heard) {
@@ -128,7 +129,8 @@ class Script final : public ros2::Link {
     scan.angle_increment = static_cast<float>(input_.number());
     scan.range_min = static_cast<float>(input_.number());
     scan.range_max = static_cast<float>(input_.number());
-    const std::size_t count = input_.byte() * (input_.byte() % 16 == 0 ? 40U : 1U);
+    const std::size_t times = input_.byte() % 16 == 0 ? 40 : 1;
+    const std::size_t count = times * input_.byte();
     for (std::size_t i = 0; i < count; ++i)
       scan.ranges.push_back(i < 32 ? static_cast<float>(input_.number()) : 1.0F);
   }
@@ -139,7 +141,6 @@ class Script final : public ros2::Link {
   }
 
   Input& input_;
-  bool& may_move_;
   const std::string name_ = "fuzz";
   ros2::Listeners listeners_{true, true, true};
   ros2::GoalId id_;
@@ -152,13 +153,12 @@ class Script final : public ros2::Link {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {  // NOLINT(readability-identifier-naming)
   Input input(std::span(data, size));
-  bool may_move = false;
   ros2::RobotSettings settings;
   const std::uint8_t kind = input.byte();
   if ((kind & 1U) != 0) settings.drives = ros2::Drives::kGoals;
   if ((kind & 2U) != 0) settings.places.map_frame = "map";
   settings.scanners = {"scan", "scan_2"};
-  auto link = std::make_unique<Script>(input, may_move);
+  auto link = std::make_unique<Script>(input);
   Script& script = *link;
   ros2::Ros2Device device(std::move(link), settings);
   Clock::time_point now{std::chrono::hours(1)};
@@ -166,15 +166,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     const std::uint8_t step = input.byte();
     now += std::chrono::milliseconds(step % 8 == 0 ? 10 * step : 50);
     script.now = now;
-    may_move = false;
+    script.may_move = false;
     device.work(now);
     fuzz::check_report(device.report(now), now);
     fuzz::require(device.report(now).scans.size() <= 2);
-    may_move = true;
+    script.may_move = true;
     if (step % 5 == 4) device.stop(now);
     if (step % 3 == 0) device.drive({1e300, input.number()}, now);
     fuzz::require(device.take_news().size() <= 64);
   }
-  may_move = false;
+  script.may_move = false;
   return 0;
 }

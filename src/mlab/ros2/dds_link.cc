@@ -204,7 +204,7 @@ void DdsLink::look_at_navigator() {
   const bool is_there = servers[0] > 0 && servers[1] > 0;
   has_navigator_ = is_there && speaks_as_we(goal_) && speaks_as_we(cancel_);
   if (is_there && !has_navigator_)
-    news_.push_back(
+    news_.emplace_back(
         "has a navigator that speaks services otherwise: RMW_IMPLEMENTATION=rmw_cyclonedds_cpp there mends "
         "that");
 }

@@ -45,7 +45,7 @@ std::string name_problem(std::string_view name) {
 std::expected<std::string, std::string> namespace_of(std::string_view written) {
   while (written.ends_with('/')) written.remove_suffix(1);
   if (written.empty()) return "";
-  const std::string out = written.starts_with('/') ? std::string(written) : fmt::format("/{}", written);
+  std::string out = written.starts_with('/') ? std::string(written) : fmt::format("/{}", written);
   if (const std::string problem = name_problem(out); !problem.empty())
     return std::unexpected(fmt::format("the namespace `{}` {}", text::shown(written), problem));
   return out;

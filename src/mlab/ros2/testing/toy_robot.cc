@@ -54,10 +54,10 @@ class ToyRobot::End final : public Link {
   void say(const State& state) override {
     robot_.network.to_robot([robot = &robot_, state] { robot->states.push_back(state); }, robot_.now_);
   }
-  std::int64_t send(const Goal& goal) override {
+  std::int64_t send(const Goal& sent) override {
     ++requests_;
     robot_.network.to_robot(
-        [robot = &robot_, goal, request = requests_] { robot->go_to(goal, request, robot->now_); },
+        [robot = &robot_, sent, request = requests_] { robot->go_to(sent, request, robot->now_); },
         robot_.now_);
     return requests_;
   }
