@@ -196,6 +196,23 @@ TEST_F(Ros2DeviceTest, TakesGoalsBackWhenTheWayToItIsMended) {
   EXPECT_EQ(robot->speed, 0.0);
 }
 
+TEST_F(Ros2DeviceTest, LeavesWithAWordThatStopsIt) {
+  begin();
+  pass(500);
+  pass(1000, vehicle::Command{0.5, 0.0});
+  device.reset();
+  robot->step(now + milliseconds(20), 0.02);
+  EXPECT_EQ(robot->told->speed, 0.0);
+
+  begin({.has_navigator = true}, with_goals());
+  pass(500);
+  pass(1000, vehicle::Command{0.5, 0.0});
+  ASSERT_TRUE(robot->goal);
+  device.reset();
+  robot->step(now + milliseconds(20), 0.02);
+  EXPECT_FALSE(robot->goal);
+}
+
 TEST_F(Ros2DeviceTest, IsNotReadyWithoutANavigatorThatIsNeeded) {
   begin({}, with_goals());
   pass(500);
