@@ -51,7 +51,7 @@ endif()
 # What most tests spend their time in. With sanitizers it is optimised even where nothing else is: it takes twice as long to
 # compile, and their longest tests a fifth of the time to run. They look at what is left of reads and writes once it is
 # optimised, so at none whose result nobody uses.
-set(MLAB_BUSY_MODULES base geom fleet binding simulated run robot library ways schema text mcap overlay flow mission odl envchange mdl cnl cdl cdl_historic sim assist mavlink vehicle model_vehicles)
+set(MLAB_BUSY_MODULES base geom fleet binding simulated run robot library ways schema text mcap overlay flow mission odl envchange mdl cnl cdl cdl_historic sim assist mavlink ros2 vehicle model_vehicles)
 
 # Everything that `./mlab test` builds for the sanitizers: all unit tests; the tests of code with threads; the fuzzers.
 add_custom_target(unit_tests)

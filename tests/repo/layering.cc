@@ -40,6 +40,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"simulated_vehicle", {"vehicle", "sim"}},
     {"vehicles", {"agents", "vehicle"}},
     {"mavlink", {"vehicle", "text"}},
+    {"ros2", {"dds", "vehicle", "text"}},
     {"model_vehicles", {"vehicle", "lang/odl"}},
     {"sim", {"binding"}},
     {"recording", {"binding", "robot/wire", "text"}},

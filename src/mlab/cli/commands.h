@@ -157,6 +157,23 @@ struct AgentOptions {
 /// Carries robots for runs of a fleet, until it is interrupted.
 int agent(const AgentOptions& options);
 
+/// What `--drives` may be.
+inline constexpr char kDrivesVelocities[] = "velocities";
+inline constexpr char kDrivesNav2[] = "nav2";
+
+/// Of a robot under ROS 2.
+struct Ros2Options {
+  std::string robot_namespace;       ///< empty: it has none
+  std::optional<int> domain;         ///< else what the environment says
+  std::vector<std::string> scans;    ///< topics; empty: `scan`
+  std::string interface_name;        ///< or its address; empty: nothing leaves this machine
+  std::vector<std::string> peers;    ///< addresses of other machines
+  std::string map_frame;             ///< empty: poses are those of its odometry
+  std::string drives;                ///< kDrivesVelocities (or empty), kDrivesNav2
+  std::optional<double> look_ahead;  ///< of goals [m]
+  std::optional<double> standstill;  ///< [s]
+};
+
 struct RobotOptions {
   NetworkOptions network;
   std::string name;                             ///< in the fleet; empty: the machine's
@@ -166,10 +183,11 @@ struct RobotOptions {
   std::optional<std::array<double, 3>> at;      ///< where that starts [m, m, deg]; else at 0, 0, 0
   std::optional<std::uint64_t> seed;            ///< of its noise; else 1
   std::string key_file;                         ///< of a mavlink one: holds the key that all is signed with
-  std::optional<std::array<double, 2>> origin;  ///< likewise: of its own frame, in the world [m]
+  std::optional<std::array<double, 2>> origin;  ///< of a vehicle's own frame, in the world [m]
   std::optional<double> radius;                 ///< of a vehicle that does not say so itself [m]
   std::optional<double> max_speed;              ///< likewise [m/s]
   std::optional<double> max_turn_rate;          ///< likewise [deg/s]
+  Ros2Options ros2;
 };
 /// Lets runs of a fleet drive a vehicle, until it is interrupted.
 int robot(const RobotOptions& options);

@@ -2,6 +2,7 @@
 
 #include "mlab/cli/fleet_words.h"
 #include "mlab/cli/option_groups.h"
+#include "mlab/cli/ros2_options.h"
 #include "mlab/cli/vehicle_kinds.h"
 
 namespace mlab::cli {
@@ -39,7 +40,7 @@ void add_robot(CLI::App& app, RobotOptions& o) {
       ->check(CLI::ExistingFile)
       ->type_name("FILE");
   c->add_option("--origin", o.origin,
-                "where the origin of the rover's own frame is on the map: X,Y; without it the rover "
+                "where the origin of the vehicle's own frame is on the map: X,Y; without it the vehicle "
                 "begins where START puts it")
       ->delimiter(',')
       ->type_name("PLACE");
@@ -52,6 +53,7 @@ void add_robot(CLI::App& app, RobotOptions& o) {
   c->add_option("--max-turn-rate", o.max_turn_rate, "it is never told to turn faster [deg/s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->type_name("RATE");
+  add_ros2(c, o.ros2);
   add_network(c, o.network);
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/cli/ros2_options.h"
 #include "mlab/lang/odl/odl.h"
 #include "mlab/mavlink/rover_device.h"
 #include "mlab/mavlink/signing.h"
@@ -87,6 +88,15 @@ constexpr std::array kOwn = {
     Own{"--seed", [](const RobotOptions& o) { return o.seed.has_value(); }},
     Own{"--key-file", [](const RobotOptions& o) { return !o.key_file.empty(); }},
     Own{"--origin", [](const RobotOptions& o) { return o.origin.has_value(); }},
+    Own{"--namespace", [](const RobotOptions& o) { return !o.ros2.robot_namespace.empty(); }},
+    Own{"--domain", [](const RobotOptions& o) { return o.ros2.domain.has_value(); }},
+    Own{"--scan", [](const RobotOptions& o) { return !o.ros2.scans.empty(); }},
+    Own{"--ros-network", [](const RobotOptions& o) { return !o.ros2.interface_name.empty(); }},
+    Own{"--ros-peer", [](const RobotOptions& o) { return !o.ros2.peers.empty(); }},
+    Own{"--drives", [](const RobotOptions& o) { return !o.ros2.drives.empty(); }},
+    Own{"--look-ahead", [](const RobotOptions& o) { return o.ros2.look_ahead.has_value(); }},
+    Own{"--map-frame", [](const RobotOptions& o) { return !o.ros2.map_frame.empty(); }},
+    Own{"--standstill", [](const RobotOptions& o) { return o.ros2.standstill.has_value(); }},
     Own{"--radius", [](const RobotOptions& o) { return o.radius.has_value(); }},
     Own{"--max-speed", [](const RobotOptions& o) { return o.max_speed.has_value(); }},
     Own{"--max-turn-rate", [](const RobotOptions& o) { return o.max_turn_rate.has_value(); }},
@@ -105,6 +115,7 @@ constexpr std::array kKinds = {
          make_simulated},
     Kind{"mavlink", "a rover under ArduPilot; docs/mavlink.md",
          "--device --key-file --origin --radius --max-speed --max-turn-rate", make_mavlink},
+    Kind{"ros2", "a robot under ROS 2; docs/ros2.md", kRos2Takes, make_ros2},
     Kind{"mrv2", "a Denning MRV-2; docs/vehicles_mrv2.md", "--device --max-speed --max-turn-rate", make_mrv2},
     Kind{"text-rover", "spoken with in lines of text, the example of docs/adding_a_vehicle.md",
          "--device --max-speed --max-turn-rate", make_text_rover},

@@ -52,20 +52,6 @@ Qos qos_in(const std::string& partition) {
 
 }  // namespace
 
-Entity& Entity::operator=(Entity&& other) noexcept {
-  if (this != &other) {
-    reset();
-    handle_ = other.handle_;
-    other.handle_ = 0;
-  }
-  return *this;
-}
-
-void Entity::reset() {
-  if (handle_ > 0) dds_delete(handle_);
-  handle_ = 0;
-}
-
 std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::open(const Network& network) {
   const auto configuration = configuration_of(network);
   if (!configuration) return std::unexpected(configuration.error());

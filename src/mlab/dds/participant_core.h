@@ -13,39 +13,12 @@
 #include "mlab/dds/channel.h"
 #include "mlab/dds/complaints.h"
 #include "mlab/dds/domain_number.h"
+#include "mlab/dds/entity.h"
 #include "mlab/dds/message.h"
 #include "mlab/dds/network.h"
 #include "mlab/dds/prompter.h"
 
 namespace mlab::dds {
-
-/// Deletes an entity of Cyclone, with all that belongs to it, and waits until no listener of it runs.
-class Entity {
- public:
-  Entity() = default;
-  explicit Entity(dds_entity_t handle) : handle_(handle) {}
-  Entity(Entity&& other) noexcept : handle_(other.handle_) { other.handle_ = 0; }
-  Entity& operator=(Entity&& other) noexcept;
-  Entity(const Entity&) = delete;
-  Entity& operator=(const Entity&) = delete;
-  ~Entity() { reset(); }
-
-  dds_entity_t handle() const { return handle_; }
-  void reset();
-
- private:
-  dds_entity_t handle_ = 0;
-};
-
-struct DeleteQos {
-  void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
-};
-using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
-
-struct DeleteListener {
-  void operator()(dds_listener_t* listener) const { dds_delete_listener(listener); }
-};
-using Listener = std::unique_ptr<dds_listener_t, DeleteListener>;
 
 /// What Cyclone knows of a participant. Its readers and writers share it.
 class ParticipantCore {
