@@ -289,8 +289,7 @@ RoverDevice::Trouble RoverDevice::state_trouble(Time now) const {
 RoverDevice::Trouble RoverDevice::trouble(Time now) const {
   if (const Trouble one = silence(now); one.readiness != Readiness::kReady) return one;
   if (const Trouble one = state_trouble(now); one.readiness != Readiness::kReady) return one;
-  if (std::string why = control_.taken_by(*heard_); !why.empty())
-    return {Readiness::kNotReady, std::move(why)};
+  if (std::string why = control_.taken_by(*heard_); !why.empty()) return {Readiness::kTaken, std::move(why)};
   if (std::string why = parameters_.problem(); !why.empty()) return {Readiness::kNotReady, std::move(why)};
   if (!readings_.motion(now))
     return {Readiness::kNotReady,
@@ -306,11 +305,11 @@ RoverDevice::Trouble RoverDevice::trouble(Time now) const {
 RoverDevice::Trouble RoverDevice::mode_trouble() const {
   if (!control_.refusal().empty()) {
     const std::string& why = control_.refusal();
-    return {Readiness::kNotReady, check_text_.empty() ? why : why + ": " + check_text_};
+    return {Readiness::kStandby, check_text_.empty() ? why : why + ": " + check_text_};
   }
-  if (!heard_->is_armed) return {Readiness::kNotReady, "is not armed"};
+  if (!heard_->is_armed) return {Readiness::kStandby, "is not armed"};
   if (heard_->mode != Mode::kGuided)
-    return {Readiness::kNotReady, fmt::format("is in mode {}, not GUIDED", name_of(heard_->mode))};
+    return {Readiness::kStandby, fmt::format("is in mode {}, not GUIDED", name_of(heard_->mode))};
   return {};
 }
 
@@ -336,7 +335,15 @@ void RoverDevice::drive(const vehicle::Command& command, Time now) {
 }
 
 void RoverDevice::stop(Time now) {
-  control_.stop(now);
+  control_.stop(false, now);
+}
+
+void RoverDevice::stop_in_emergency(Time now) {
+  control_.stop(true, now);
+}
+
+void RoverDevice::engage(Time /*now*/) {
+  control_.engage();
 }
 
 }  // namespace mlab::mavlink

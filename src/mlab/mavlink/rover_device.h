@@ -61,6 +61,8 @@ class RoverDevice final : public vehicle::Device {
   const vehicle::Report& report(Time now) override;
   void drive(const vehicle::Command& command, Time now) override;
   void stop(Time now) override;
+  void stop_in_emergency(Time now) override;
+  void engage(Time now) override;
 
   /// Its parameters that matter, and what they have to be; for a check before a mission.
   std::vector<ParameterCheck> parameters() const { return parameters_.checks(); }

@@ -176,7 +176,7 @@ void encode(const Report& report, Clock::time_point now, wire::VehicleReport& ou
 }
 
 std::expected<Report, std::string> decode(const wire::VehicleReport& message, Clock::time_point arrived) {
-  constexpr auto kLast = static_cast<std::uint32_t>(Readiness::kFaulty);
+  constexpr auto kLast = static_cast<std::uint32_t>(kLastReadiness);
   Report out;
   if (message.readiness() > kLast)
     return std::unexpected(fmt::format("readiness is {}, expected 0 to {}", message.readiness(), kLast));

@@ -64,7 +64,7 @@ TEST(VehicleMessages, AreRefusedWhereSomethingIsNoNumberOrBeyondAllBounds) {
   EXPECT_FALSE(decode(charged, kNow));
   wire::VehicleReport unknown = message();
   unknown.set_readiness(9);
-  EXPECT_EQ(decode(unknown, kNow).error(), "readiness is 9, expected 0 to 4");
+  EXPECT_EQ(decode(unknown, kNow).error(), "readiness is 9, expected 0 to 6");
 }
 
 TEST(VehicleMessages, LimitsAreCheckedByName) {

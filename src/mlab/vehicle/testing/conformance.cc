@@ -193,7 +193,10 @@ bool Conformance::is_ready() {
 void Conformance::wait_until_ready() {
   if (past_.empty()) step();
   const Clock::time_point end = now_ + duration_of(rig_->facts().ready_within);
-  while (!is_ready() && now_ < end && !HasFailure()) go(0.02, std::nullopt);
+  while (!is_ready() && now_ < end && !HasFailure()) {
+    const bool is_waiting = device_->report(now_).readiness == Readiness::kStandby;
+    go(0.02, is_waiting ? std::optional(Command{}) : std::nullopt);
+  }
   if (!is_ready()) ADD_FAILURE() << "is not ready in time: it " << device_->report(now_).why;
 }
 
@@ -301,6 +304,34 @@ TEST_P(Conformance, StandsWhenItIsToldToStop) {
     go(0.1, std::nullopt);
     expect_standing("stopped, and nobody has driven");
   }
+  get_moving(full_ahead());
+}
+
+TEST_P(Conformance, StandsInAnEmergency) {
+  wait_until_ready();
+  get_moving(full_ahead());
+  device().stop_in_emergency(now_);
+  go(facts().stops_within, std::nullopt);
+  expect_standing("stopped in an emergency");
+  go(2.0, std::nullopt);
+  expect_standing("stopped in an emergency, and nobody has driven");
+}
+
+TEST_P(Conformance, IsLeftToWhoHasTakenItButInAnEmergency) {
+  wait_until_ready();
+  get_moving(full_ahead());
+  if (!rig_->take()) GTEST_SKIP() << "nobody else can take it";
+  go(1.0, full_ahead());
+  EXPECT_EQ(device().report(now_).readiness, Readiness::kTaken);
+  device().stop(now_);
+  go(2.0, std::nullopt);
+  EXPECT_FALSE(stands()) << "a routine stop takes it from whoever has taken it";
+  device().stop_in_emergency(now_);
+  go(facts().stops_within, std::nullopt);
+  expect_standing("stopped in an emergency");
+  go(2.0, std::nullopt);
+  device().engage(now_);
+  wait_until_ready();
   get_moving(full_ahead());
 }
 

@@ -30,7 +30,8 @@ class Conformance : public testing::TestWithParam<RigKind> {
   /// Lets time go by; commands are given ten times a second.
   /// @param seconds  at least
   void go(double seconds, const std::optional<Command>& command, Care care = Care::kWork);
-  /// Until it is ready, at most for `ready_within`. A test fails where it is not.
+  /// Until it is ready, at most for `ready_within`; where it has to be driven for that, it is told to stand.
+  /// A test fails where it is not.
   void wait_until_ready();
   /// Drives until it is at least as fast, for some seconds at most; a test fails where it is not.
   void get_moving(const Command& command);

@@ -80,6 +80,10 @@ class Rig {
   /// can.
   virtual void hold_back() = 0;
   virtual void release() = 0;
+  /// Somebody else takes the vehicle, a pilot by remote control, say, and has it go on moving until an
+  /// emergency stop.
+  /// @return  false: nobody can
+  virtual bool take() { return false; }
 };
 
 /// A kind of device, as the suite is instantiated with.
