@@ -20,6 +20,8 @@ constexpr milliseconds kHoldIsOurs{4000};
 constexpr milliseconds kSameStop{1000};
 // After a silence set-points say so long that it is to stand.
 constexpr milliseconds kStandAfterSilence{1000};
+// It may still have been alone when it was heard again: its failsafe then acts only now.
+constexpr milliseconds kFailsafeFollows{1000};
 
 bool moves(const vehicle::Motion& motion, double from) {
   return std::abs(motion.speed) > from || std::abs(motion.turn_rate) > from;
@@ -83,6 +85,7 @@ void Control::engage() {
 void Control::let_go(Time now) {
   // What it was told last may still be on its way.
   if (is_engaged_) stand_until_ = now + kStandAfterSilence;
+  let_go_at_ = now;
   is_engaged_ = false;
   if (wish_ == Wish::kDrive) wish_ = Wish::kNone;
   taken_.clear();
@@ -136,8 +139,9 @@ void Control::send_set_point(const vehicle::Command& command, const Heard& heard
 void Control::notice_taking(const Heard& heard, Time now) {
   if (!is_engaged_ || (heard.mode == Mode::kGuided && heard.is_armed)) return;
   is_engaged_ = false;
-  const bool is_ours = heard.mode == Mode::kHold && held_at_ && now - *held_at_ < kHoldIsOurs;
-  if (is_ours) return;
+  const bool is_ours = held_at_ && now - *held_at_ < kHoldIsOurs;
+  const bool is_failsafes = let_go_at_ && now - *let_go_at_ < kFailsafeFollows;
+  if (heard.mode == Mode::kHold && heard.is_armed && (is_ours || is_failsafes)) return;
   if (!heard.is_armed)
     taken_ = "was disarmed by itself or by somebody else; Replace in the console has it armed again";
   else
@@ -153,6 +157,8 @@ void Control::work(const Heard& heard, bool may_drive, const vehicle::Motion* mo
   if (wish_ == Wish::kStop) {
     work_stop(heard, motion, line, now);
   } else if (wish_ == Wish::kDrive && taken_by(heard).empty()) {
+    // A heartbeat from before a silence does not tell what became of it meanwhile.
+    if (let_go_at_ && heard.at <= *let_go_at_) return;
     if (may_drive)
       work_drive(heard, line, now);
     else if (is_engaged_)

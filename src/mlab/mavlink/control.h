@@ -46,7 +46,8 @@ class Control {
   void stop(bool is_emergency, Time now);
   /// What was taken from us may be taken back.
   void engage();
-  /// It was silent, or has begun again: it stands until the next `drive`.
+  /// It was silent, or has begun again: it stands until the next `drive`. Meanwhile its failsafe may have put
+  /// it into HOLD, which is nobody's word.
   void let_go(Time now);
   void take(const CommandAck& message, Time now);
   /// Sends what is due.
@@ -91,6 +92,7 @@ class Control {
   bool is_engaged_ = false;
   std::optional<Time> held_at_;
   std::optional<Time> stand_until_;
+  std::optional<Time> let_go_at_;
   std::string taken_;
   bool is_reclaimed_ = false;
   std::string refusal_;

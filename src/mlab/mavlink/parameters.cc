@@ -10,7 +10,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// From where it lets go of the last set-point to where it stands [s].
+// Of the time from the last command to where it stands: how long that is repeated and is on its way, and how
+// long it brakes once it has let go of the last set-point [s].
+constexpr double kRepeating = 0.5;
 constexpr double kBraking = 0.5;
 // Slow radios carry a few questions a second beside all else.
 constexpr milliseconds kBetweenQuestions{100};
@@ -25,7 +27,7 @@ std::string range_of(const Wanted& wanted) {
 }  // namespace
 
 Parameters::Parameters(std::uint8_t self, double standstill) {
-  const double guided = std::max(standstill - kBraking, 0.1);
+  const double guided = std::max(standstill - kRepeating - kBraking, 0.1);
   for (const Wanted& one : std::initializer_list<Wanted>{
            {"FS_GCS_ENABLE", "", 1, 2, true, "it has to act by itself when it hears us no more"},
            {"FS_ACTION", "", 2, 2, true, "its failsafes have to let it stand (2, HOLD), not drive somewhere"},

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "mlab/mavlink/boot_clock.h"
 #include "mlab/mavlink/messages.h"
@@ -61,13 +63,24 @@ class Readings {
   struct Turning {
     double heading = 0.0;
     double rate = 0.0;
-    Time at;
+    std::uint32_t boot_ms = 0;  // when it was so, by its clock
   };
   struct Moving {
     geom::Point position;
     geom::Offset velocity;
-    Time at;
+    std::uint32_t boot_ms = 0;
   };
+  // The last second, by time: heading and position come one after the other, and either may get lost; what is
+  // told of both is of one moment.
+  template <class Sample>
+  using Past = std::deque<Sample>;
+  template <class Sample>
+  static void keep(Past<Sample>& past, const Sample& next);
+  template <class Sample>
+  static Sample sample_at(const Past<Sample>& past, std::uint32_t boot_ms);
+  std::optional<std::pair<Turning, Moving>> newest_pair() const;
+  static Turning between(const Turning& a, const Turning& b, double share);
+  static Moving between(const Moving& a, const Moving& b, double share);
 
   bool hear(std::uint32_t kind, std::uint32_t boot_ms, Time now, bool& is_new);
   void notice_jump(const Moving& next, Time now);
@@ -76,8 +89,8 @@ class Readings {
   std::optional<geom::Point> origin_;
   double max_speed_;
   BootClock clock_;
-  std::optional<Turning> turning_;
-  std::optional<Moving> moving_;
+  Past<Turning> turned_;
+  Past<Moving> moved_;
   std::optional<vehicle::Battery> battery_;
   std::optional<Place> place_;
   std::map<std::uint32_t, vehicle::Scan> scans_;

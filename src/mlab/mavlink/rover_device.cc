@@ -24,6 +24,10 @@ constexpr milliseconds kGivenUpAfter{5000};
 constexpr milliseconds kBetweenAsking{60};
 constexpr milliseconds kNeededWithin{2000};
 constexpr milliseconds kOthersWithin{10000};
+// What it was told last is repeated so long, then that it is to stand.
+constexpr milliseconds kCommandLasts{300};
+// After such a pause its failsafe may have acted, because it did not hear us either.
+constexpr milliseconds kFailsafeMayAct{700};
 constexpr std::size_t kMostNotes = 32;
 // Without a limit of its speed, what is too far for one step is told by this [m/s].
 constexpr double kAnySpeed = 10.0;
@@ -45,11 +49,6 @@ constexpr std::array<Streamed, 8> kStreams = {{
     {DistanceSensor::kInfo.id, milliseconds{200}, false},
     {ObstacleDistance::kInfo.id, milliseconds{200}, false},
 }};
-
-vehicle::Clock::duration command_lasts(const vehicle::Limits& limits) {
-  return std::chrono::duration_cast<vehicle::Clock::duration>(
-      std::chrono::duration<double>(std::max(limits.standstill - 0.5, 0.1)));
-}
 
 double max_speed_of(const vehicle::Limits& limits) {
   return limits.kinematics.max_speed > 0.0 ? limits.kinematics.max_speed : kAnySpeed;
@@ -77,7 +76,7 @@ RoverDevice::RoverDevice(std::unique_ptr<vehicle::Stream> stream, const RoverSet
       line_(std::move(stream), settings.self, settings.key, settings.signing_clock),
       parameters_(settings.self, settings.limits.standstill),
       readings_(settings.origin, max_speed_of(settings.limits)),
-      control_(command_lasts(settings.limits)),
+      control_(kCommandLasts),
       streams_seen_(kStreams.size()),
       streams_asked_(kStreams.size()) {}
 
@@ -125,6 +124,7 @@ void RoverDevice::take(const Frame& frame, Time now) {
   if (frame.component != kComponentAutopilot) return;
   if (frame.is<Heartbeat>()) take_heartbeat(frame, now);
   if (!heard_ || frame.system != heard_->system) return;
+  if (frame_at_ && now - *frame_at_ > kFailsafeMayAct) control_.let_go(now);
   frame_at_ = now;
   for (std::size_t i = 0; i < kStreams.size(); ++i) {
     if (kStreams[i].id == frame.id) streams_seen_[i] = now;
@@ -320,7 +320,7 @@ const vehicle::Report& RoverDevice::report(Time now) {
   report_.why = std::move(one.why);
   report_.is_global = settings_.origin.has_value();
   report_.motion = readings_.motion(now);
-  report_.battery = readings_.battery(now);
+  report_.battery = is_silent(now) ? std::nullopt : readings_.battery(now);
   readings_.scans(now, report_.scans);
   return report_;
 }

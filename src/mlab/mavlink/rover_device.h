@@ -20,7 +20,8 @@ inline constexpr std::chrono::milliseconds kSilentAfter{2500};
 /// Those of a rover of which nothing else is said.
 inline vehicle::Limits rover_limits() {
   vehicle::Limits out;
-  out.standstill = 2.0;
+  out.kinematics.drive = binding::Drive::kDifferential;
+  out.standstill = 2.5;
   return out;
 }
 

@@ -137,9 +137,9 @@ void Conformance::check_motion(const Motion& motion, bool is_global) {
                               << origin_->position.y << ' ' << origin_->heading;
 }
 
-void Conformance::check_stamp(const std::string& what, Clock::time_point at) const {
+void Conformance::check_stamp(const std::string& what, Clock::time_point at, double lasts) const {
   EXPECT_LE(at, now_) << what << " is of the future";
-  EXPECT_LE(seconds(now_ - at), rig_->facts().silent_after + kPeriod) << what << " is stale";
+  EXPECT_LE(seconds(now_ - at), std::max(rig_->facts().silent_after, lasts) + kPeriod) << what << " is stale";
   if (cut_at_.has_value()) {
     EXPECT_LE(at, *cut_at_ + impairment_.delay + duration_of(kPeriod))
         << what << " came over a line that is cut";
@@ -170,7 +170,7 @@ void Conformance::check_report() {
   }
   for (const Scan& scan : report.scans) check_scan(scan);
   if (report.battery.has_value()) {
-    check_stamp("its battery", report.battery->at);
+    check_stamp("its battery", report.battery->at, rig_->facts().battery_lasts);
     EXPECT_GE(report.battery->share, 0.0);
     EXPECT_LE(report.battery->share, 1.0);
   }

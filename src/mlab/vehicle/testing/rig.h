@@ -36,10 +36,11 @@ struct Impairment {
 /// What the suite has to know of a kind of device to try it. The numbers are promises to its users: they
 /// stand on its page.
 struct Facts {
-  double silent_after = 1.0;  ///< of what was said longer ago it reports nothing [s]
-  double ready_within = 5.0;  ///< once its vehicle can be reached over a line without losses [s]
-  double stops_within = 1.0;  ///< from full speed, once it is told over a line that works [s]
-  double pose_error = 0.02;   ///< of a reported place against the true one; encoders of rigs don't drift [m]
+  double silent_after = 1.0;   ///< of what was said longer ago it reports nothing [s]
+  double battery_lasts = 0.0;  ///< the same of its battery, where that is longer [s]
+  double ready_within = 5.0;   ///< once its vehicle can be reached over a line without losses [s]
+  double stops_within = 1.0;   ///< from full speed, once it is told over a line that works [s]
+  double pose_error = 0.02;    ///< of a reported place against the true one; encoders of rigs don't drift [m]
   double heading_error = 0.02;  ///< [rad]
   double speed_error = 0.02;    ///< [m/s]
   double turn_error = 0.05;     ///< [rad/s]
