@@ -40,7 +40,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"simulated_vehicle", {"vehicle", "sim"}},
     {"vehicles", {"agents", "vehicle"}},
     {"mavlink", {"vehicle", "text"}},
-    {"model_vehicles", {"vehicle", "lang/odl"}},
+    {"model_vehicles", {"vehicle", "mavlink", "lang/odl"}},
     {"sim", {"binding"}},
     {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},

@@ -28,6 +28,7 @@ std::unique_ptr<Rig> make_mavlink_rover_rig(std::uint64_t seed, TestLine::Kind k
   const model_vehicles::MavlinkRoverSpec spec;
   const Facts facts{.silent_after = std::chrono::duration<double>(mavlink::kSilentAfter).count(),
                     .battery_lasts = std::chrono::duration<double>(mavlink::kBatteryLasts).count(),
+                    .ready_within = 10.0,  // three of which it starts
                     .stops_within = 1.0,
                     .has_ranges = true,
                     .has_battery = true};

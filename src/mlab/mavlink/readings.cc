@@ -23,10 +23,9 @@ constexpr double kJump = 1.0;
 constexpr double kCentimetre = 0.01;
 // Of heading or position in a second; who sends more often is known less far back.
 constexpr std::size_t kMostSamples = 64;
-// What is said as often goes out in one go; where one of both got lost, an older pair is better than one of
-// two moments, for so long.
+// What is said as often goes out in one go; where one of both got lost, an older pair is better than what is
+// of two moments.
 constexpr milliseconds kOneGo{20};
-constexpr milliseconds kPairLasts{400};
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
@@ -60,9 +59,9 @@ bool Readings::take(const Attitude& message, Time now) {
   }
   bool is_new = false;
   if (hear(0, message.time_boot_ms, now, is_new)) return true;
-  if (is_new)
-    keep(turned_,
-         Turning{base::wrap_angle(kPi / 2.0 - message.yaw), -message.yawspeed, message.time_boot_ms});
+  if (!is_new) return false;
+  keep(turned_, Turning{base::wrap_angle(kPi / 2.0 - message.yaw), -message.yawspeed, message.time_boot_ms});
+  comes_in_one_go_ = comes_in_one_go_ || newest_pair();
   return false;
 }
 
@@ -78,6 +77,7 @@ bool Readings::take(const LocalPositionNed& message, Time now) {
   const Moving next{{message.y, message.x}, {message.vy, message.vx}, message.time_boot_ms};
   notice_jump(next, now);
   keep(moved_, next);
+  comes_in_one_go_ = comes_in_one_go_ || newest_pair();
   return false;
 }
 
@@ -212,6 +212,11 @@ void Readings::keep(vehicle::Scan scan) {
 
 void Readings::begin_anew() {
   clock_.begin_anew();
+  comes_in_one_go_ = false;
+  forget();
+}
+
+void Readings::forget() {
   turned_.clear();
   moved_.clear();
   battery_.reset();
@@ -220,11 +225,9 @@ void Readings::begin_anew() {
   jump_ = 0.0;
 }
 
-// What was said of both in one go; nothing: that was too long ago.
+// What was said of both in one go; nothing: they do not come so.
 std::optional<std::pair<Readings::Turning, Readings::Moving>> Readings::newest_pair() const {
-  const std::uint32_t newest = std::min(turned_.back().boot_ms, moved_.back().boot_ms);
   for (auto turned = turned_.rbegin(); turned != turned_.rend(); ++turned) {
-    if (newest > turned->boot_ms + kPairLasts.count()) break;
     for (auto moved = moved_.rbegin(); moved != moved_.rend(); ++moved) {
       const std::int64_t apart = std::int64_t{turned->boot_ms} - moved->boot_ms;
       if (std::abs(apart) <= kOneGo.count()) return std::pair(*turned, *moved);
@@ -237,6 +240,7 @@ std::optional<vehicle::Motion> Readings::motion(Time now) const {
   if (turned_.empty() || moved_.empty()) return std::nullopt;
   auto told = newest_pair();
   if (!told) {
+    if (comes_in_one_go_) return std::nullopt;  // one of both got lost each time
     const std::uint32_t both = std::min(turned_.back().boot_ms, moved_.back().boot_ms);
     told = {sample_at(turned_, both), sample_at(moved_, both)};
     told->first.boot_ms = both;

@@ -46,7 +46,9 @@ class Readings {
   void take(const BatteryStatus& message, Time now);
   void take(const DistanceSensor& message, Time now);
   void take(const ObstacleDistance& message, Time now);
-  /// Nothing is known any more; the vehicle's own clock begins anew.
+  /// Nothing is known any more.
+  void forget();
+  /// The same, and the vehicle's own clock begins anew.
   void begin_anew();
 
   std::optional<vehicle::Motion> motion(Time now) const;
@@ -91,6 +93,7 @@ class Readings {
   BootClock clock_;
   Past<Turning> turned_;
   Past<Moving> moved_;
+  bool comes_in_one_go_ = false;
   std::optional<vehicle::Battery> battery_;
   std::optional<Place> place_;
   std::map<std::uint32_t, vehicle::Scan> scans_;

@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 using vehicle::Readiness;
 
 // Its failsafe counts them, and some get lost.
-constexpr milliseconds kBetweenHeartbeats{250};
+constexpr milliseconds kBetweenHeartbeats{100};
 constexpr milliseconds kHeartbeatLasts{5000};
 // Who has been silent for so long is not the one to wait for.
 constexpr milliseconds kGivenUpAfter{5000};
@@ -110,6 +110,7 @@ void RoverDevice::work(Time now) {
 void RoverDevice::lose(Time now) {
   notice(now, 4, fmt::format("has been silent for {:.1f} s", seconds(kSilentAfter)));
   control_.let_go(now);
+  readings_.forget();
   parameters_.begin_anew();
   streams_seen_.assign(kStreams.size(), std::nullopt);
   streams_asked_.assign(kStreams.size(), std::nullopt);
@@ -220,7 +221,7 @@ void RoverDevice::ask(Time now) {
   asked_at_ = now;
   for (std::size_t i = 0; i < kStreams.size(); ++i) {
     const Streamed& one = kStreams[i];
-    const auto awaited = std::max<milliseconds>(one.every * 3, kBetweenHeartbeats * 4);
+    const auto awaited = std::max<milliseconds>(one.every * 3, milliseconds(1000));
     const bool comes = streams_asked_[i] && streams_seen_[i] && now - *streams_seen_[i] < awaited;
     const auto again = one.is_needed ? kNeededWithin : kOthersWithin;
     if (comes || (streams_asked_[i] && now - *streams_asked_[i] < again)) continue;

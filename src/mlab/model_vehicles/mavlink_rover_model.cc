@@ -23,7 +23,8 @@ using mavlink::Mode;
 using mavlink::Result;
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::uint8_t kSelf = 1;  // SYSID_THISMAV
+constexpr std::uint8_t kSelf = 1;      // SYSID_THISMAV
+constexpr double kStartsWithin = 3.0;  // until then it neither hears nor says anything [s]
 constexpr std::size_t kRoverBeams = 72;
 constexpr double kRoverReach = 10.0;            // of its beams, from its middle [m]
 constexpr double kRoverRadius = 0.3;            // [m]
@@ -311,6 +312,7 @@ MavlinkRoverModel::MavlinkRoverModel(const overlay::Overlay& world, const Mavlin
 MavlinkRoverModel::~MavlinkRoverModel() = default;
 
 void MavlinkRoverModel::receive(std::string_view bytes) {
+  if (parts_->time < kStartsWithin) return;
   parts_->reader.feed(std::as_bytes(std::span(bytes)));
   while (const auto frame = parts_->reader.next()) parts_->take(*frame);
 }
@@ -321,7 +323,7 @@ std::string MavlinkRoverModel::step(double dt) {
   p.worked += dt;
   p.watch();
   p.move(dt);
-  p.stream(dt);
+  if (p.time >= kStartsWithin) p.stream(dt);
   return std::exchange(p.said, {});
 }
 
