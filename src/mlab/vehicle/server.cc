@@ -1,5 +1,7 @@
 #include "mlab/vehicle/server.h"
 
+#include <algorithm>
+#include <chrono>
 #include <limits>
 #include <utility>
 
@@ -10,6 +12,12 @@ namespace mlab::vehicle {
 namespace {
 
 constexpr double kPartingPatience = 5.0;  // in which it is told to stop once no run drives it any more [s]
+
+// Greater than all numbers of the process before: what answered that one answers nothing of this one.
+std::uint64_t first_number(Clock::time_point now) {
+  const auto age = std::chrono::duration_cast<std::chrono::microseconds>(now.time_since_epoch()).count();
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(age, 0));
+}
 
 percept::Action action_of(const wire::VehicleCommand& command) {
   percept::Action out;
@@ -28,6 +36,8 @@ Server::Server(Device& device, std::function<bool()> is_stopped)
 void Server::hear(const std::string& sender, const std::string& body, Clock::time_point now) {
   wire::VehicleCommand command;
   if (!command.ParseFromString(body) || !is_sound(command)) return;
+  // There was no such report yet: it would be live once there is one.
+  if (command.answers() > reported_ && !command.leaves()) return;
   const bool is_free = session_ == 0 || seconds_between(heard_, now) > kSessionPatience;
   const bool is_drivers = session_ == command.session() && driver_ == sender;
   if (!is_free && !is_drivers) return;
@@ -126,6 +136,7 @@ void Server::drive(Readiness readiness, Clock::time_point now) {
 }
 
 std::string Server::report(Clock::time_point now) {
+  if (reported_ == 0) reported_ = first_number(now);
   message_.Clear();
   encode(device_.report(now), now, message_);
   const auto told = static_cast<Readiness>(message_.readiness());

@@ -93,6 +93,26 @@ TEST_F(ServerTest, CarriesNothingOutThatAnswersWhatIsLongPast) {
   EXPECT_EQ(speed_after(milliseconds(1)), 0.0) << "there was no such report";
 }
 
+TEST_F(ServerTest, CarriesNothingOutThatAnsweredTheProcessBefore) {
+  const std::uint64_t of_before = report();
+  for (const int ahead : {-1, 1, 40}) {
+    Server anew(device_, [] { return false; });
+    now_ += milliseconds(500);
+    wire::VehicleReport first;
+    ASSERT_TRUE(first.ParseFromString(anew.report(now_)));
+    EXPECT_GT(first.number(), of_before + 40);
+    // It answers what will be said only later, or what the other process said.
+    const std::uint64_t answers = ahead < 0 ? of_before : first.number() + static_cast<std::uint64_t>(ahead);
+    anew.hear("run", command(answers).SerializeAsString(), now_);
+    for (int i = 0; i < 60; ++i) {
+      now_ += milliseconds(50);
+      anew.report(now_);
+      anew.work(now_);
+      EXPECT_EQ(device_.command_.speed, 0.0);
+    }
+  }
+}
+
 TEST_F(ServerTest, TakesNoOlderCommandForANewerOne) {
   const std::uint64_t answers = report();
   const wire::VehicleCommand first = command(answers, 0.5);

@@ -48,7 +48,10 @@ struct Facts {
   double stamp_error = 0.05;
   double standing_speed = 1e-3;      ///< what is not faster stands [m/s]
   double standing_turn_rate = 1e-3;  ///< [rad/s]
-  bool has_ranges = false;           ///< it reports scans
+  /// Of the way that it is told to make it makes at least this share over a line that loses 20 % and delays
+  /// the rest by 200 ms, each way.
+  double bad_line_share = 0.5;
+  bool has_ranges = false;  ///< it reports scans
   bool has_battery = false;
   /// Its vehicle refuses what it was told too long ago; else a line that holds commands back and lets them go
   /// later moves it once more.
