@@ -126,9 +126,10 @@ bool Readings::take(const GlobalPositionInt& message, Time now) {
   }
   bool is_new = false;
   if (hear(2, message.time_boot_ms, now, is_new)) return true;
-  if (is_new)
-    place_ = {base::radians(message.lat * 1e-7), base::radians(message.lon * 1e-7),
-              clock_.time_of(message.time_boot_ms, now)};
+  if (!is_new) return false;
+  place_ = {base::radians(message.lat * 1e-7), base::radians(message.lon * 1e-7),
+            clock_.time_of(message.time_boot_ms, now)};
+  place_boot_ms_ = message.time_boot_ms;
   return false;
 }
 
@@ -262,6 +263,21 @@ std::optional<vehicle::Battery> Readings::battery(Time now) const {
 
 std::optional<Place> Readings::place(Time now) const {
   return place_ && now - place_->at <= kMotionLasts ? place_ : std::nullopt;
+}
+
+std::optional<vehicle::Fix> Readings::fix(Time now) const {
+  const auto there = place(now);
+  if (!there || moved_.empty()) return std::nullopt;
+  const Moving then = sample_at(moved_, place_boot_ms_);
+  // What was said of its place may be newer, or older, than what is known of its own frame.
+  const double later = (std::int64_t{place_boot_ms_} - then.boot_ms) / 1000.0;
+  const bool is_between = place_boot_ms_ <= moved_.back().boot_ms && place_boot_ms_ >= moved_.front().boot_ms;
+  vehicle::Fix out;
+  out.place = {base::degrees(there->latitude), base::degrees(there->longitude)};
+  out.point = is_between ? then.position : then.position + then.velocity * later;
+  out.north = kPi / 2.0;
+  out.at = there->at;
+  return out;
 }
 
 void Readings::scans(Time now, std::vector<vehicle::Scan>& out) const {

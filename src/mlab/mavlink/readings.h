@@ -54,6 +54,8 @@ class Readings {
   std::optional<vehicle::Motion> motion(Time now) const;
   std::optional<vehicle::Battery> battery(Time now) const;
   std::optional<Place> place(Time now) const;
+  /// The same, and which point of its own frame that is.
+  std::optional<vehicle::Fix> fix(Time now) const;
   /// By their numbers: 0 is OBSTACLE_DISTANCE, 1 .. 8 are sensors of distance by their orientation.
   void scans(Time now, std::vector<vehicle::Scan>& out) const;
   /// How far its position has just jumped [m]; 0: it has not.
@@ -96,6 +98,7 @@ class Readings {
   bool comes_in_one_go_ = false;
   std::optional<vehicle::Battery> battery_;
   std::optional<Place> place_;
+  std::uint32_t place_boot_ms_ = 0;
   std::map<std::uint32_t, vehicle::Scan> scans_;
   double jump_ = 0.0;
   Time jumped_at_;

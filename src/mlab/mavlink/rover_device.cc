@@ -44,7 +44,7 @@ constexpr std::array<Streamed, 8> kStreams = {{
     {Attitude::kInfo.id, milliseconds{100}, true},
     {LocalPositionNed::kInfo.id, milliseconds{100}, true},
     {SysStatus::kInfo.id, milliseconds{1000}, true},
-    {GlobalPositionInt::kInfo.id, milliseconds{500}, false},
+    {GlobalPositionInt::kInfo.id, milliseconds{200}, false},
     {BatteryStatus::kInfo.id, milliseconds{2000}, false},
     {DistanceSensor::kInfo.id, milliseconds{200}, false},
     {ObstacleDistance::kInfo.id, milliseconds{200}, false},
@@ -321,6 +321,7 @@ const vehicle::Report& RoverDevice::report(Time now) {
   report_.why = std::move(one.why);
   report_.is_global = settings_.origin.has_value();
   report_.motion = readings_.motion(now);
+  report_.fix = settings_.origin ? std::nullopt : readings_.fix(now);
   report_.battery = is_silent(now) ? std::nullopt : readings_.battery(now);
   readings_.scans(now, report_.scans);
   return report_;

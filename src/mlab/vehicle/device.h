@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mlab/binding/body.h"
+#include "mlab/geography/geo_point.h"
 #include "mlab/geom/pose.h"
 
 namespace mlab::vehicle {
@@ -56,6 +57,16 @@ struct Scan {
   /// known.
   std::vector<float> distances;
   Clock::time_point at;
+  /// Where the vehicle was then, in the frame of its motions; nothing: devices need not know.
+  std::optional<geom::Pose> pose = {};
+};
+
+/// A point in the frame of its motions of which it knows where on the Earth it is.
+struct Fix {
+  geography::GeoPoint place;
+  geom::Point point;   ///< [m]
+  double north = 0.0;  ///< where true north is there, counter-clockwise from the frame's x [rad]
+  Clock::time_point at;
 };
 
 /// Of its battery.
@@ -85,6 +96,7 @@ struct Report {
   std::string why;               ///< it is not ready, as a sentence without its subject: `is not armed`
   std::optional<Motion> motion;  ///< the newest
   bool is_global = false;        ///< its pose is in the world's frame; else it begins anywhere, and drifts
+  std::optional<Fix> fix;        ///< the newest
   std::vector<Scan> scans;       ///< the newest of each sensor, by its number
   std::optional<Battery> battery;
 };

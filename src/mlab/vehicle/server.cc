@@ -113,7 +113,9 @@ void Server::work(Clock::time_point now) {
   device_.work(now);
   if (session_ != 0 && seconds_between(heard_, now) > kSessionPatience) session_ = 0;
   if (session_ != 0) driven_ = now;
-  const Readiness readiness = device_.report(now).readiness;
+  const Report& report = device_.report(now);
+  if (report.motion) poses_.add(*report.motion);
+  const Readiness readiness = report.readiness;
   notice_taking(readiness);
   if (std::string why = why_it_stands(readiness, now); !why.empty()) {
     stand(std::move(why), now);
@@ -138,7 +140,9 @@ void Server::drive(Readiness readiness, Clock::time_point now) {
 std::string Server::report(Clock::time_point now) {
   if (reported_ == 0) reported_ = first_number(now);
   message_.Clear();
-  encode(device_.report(now), now, message_);
+  Report report = device_.report(now);
+  for (Scan& scan : report.scans) scan.pose = poses_.at(scan.at);
+  encode(report, now, message_);
   const auto told = static_cast<Readiness>(message_.readiness());
   if (is_taken_ && (told == Readiness::kReady || told == Readiness::kStandby)) {
     message_.set_readiness(static_cast<std::uint32_t>(Readiness::kTaken));

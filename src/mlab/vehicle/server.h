@@ -9,6 +9,7 @@
 
 #include "mlab/vehicle.pb.h"
 #include "mlab/vehicle/device.h"
+#include "mlab/vehicle/pose_history.h"
 
 namespace mlab::vehicle {
 
@@ -68,6 +69,7 @@ class Server {
   bool has_driven_ = false;                  // under that engagement, while it was ready
   bool is_taken_ = false;                    // somebody else has taken it since; it is left to him
   std::optional<Clock::time_point> driven_;  // last
+  PoseHistory poses_;
   wire::VehicleReport message_;
 };
 
