@@ -49,6 +49,7 @@ class FleetChain : public testing::Test {
     model_vehicles::MavlinkRoverSpec spec;
     spec.place = place;
     spec.max_turn_rate = 2.0;
+    spec.scan_lag = 0.26;
     const auto make_device = [&](std::unique_ptr<Stream> stream) -> LineRig::Made {
       mavlink::RoverSettings settings;
       settings.limits.kinematics.max_speed = spec.max_speed;
@@ -140,7 +141,7 @@ TEST_F(FleetChain, PutsARoverWhereTheMissionHasItWithoutAMapOfTheEarth) {
   EXPECT_LE(geom::distance(pose().position, {10.0, 10.0}), 1e-9);
 }
 
-// At 2 rad/s what was seen a tenth of a second ago is 11 degrees farther round by now.
+// At 2 rad/s what was measured a quarter of a second ago is 30 degrees, here 2 m, farther round by now.
 TEST_F(FleetChain, LeavesObstaclesWhereTheyAreWhileTheVehicleTurns) {
   const geom::Point obstacle{14.0, 10.0};
   begin({}, {{10.0, 10.0}, 0.0}, obstacle);

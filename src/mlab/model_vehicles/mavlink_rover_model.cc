@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "mlab/base/angle.h"
 #include "mlab/mavlink/ardupilot.h"
@@ -65,7 +67,9 @@ struct MavlinkRoverModel::Parts {
   mavlink::FrameReader reader;
   mavlink::FrameWriter writer{kSelf, mavlink::kComponentAutopilot};
   std::string said;
-  double time = 0.0;  // since it was switched on [s]
+  double scan_lag;
+  std::deque<std::pair<double, mavlink::ObstacleDistance>> measured;  // and when it is said
+  double time = 0.0;                                                  // since it was switched on [s]
   double worked = 0.0;
   Mode mode = Mode::kManual;
   bool is_armed = false;
@@ -87,7 +91,8 @@ struct MavlinkRoverModel::Parts {
                    {"SYSID_MYGCS", 255.0F},
                    {"FS_EKF_ACTION", 1.0F},
                    {"FS_CRASH_CHECK", 1.0F},
-                   {"GUID_TIMEOUT", static_cast<float>(spec.guided_timeout)}} {
+                   {"GUID_TIMEOUT", static_cast<float>(spec.guided_timeout)}},
+        scan_lag(spec.scan_lag) {
     switch_on();
   }
 
@@ -134,6 +139,7 @@ void MavlinkRoverModel::Parts::switch_on() {
   station_at.reset();
   every = {{mavlink::Heartbeat::kInfo.id, 1.0}};
   said_at.clear();
+  measured.clear();
   reader.begin_anew();
   origin = body.truth().pose.position;
   north = vehicle::north_at(earth, earth.to_earth(origin));
@@ -303,7 +309,11 @@ void MavlinkRoverModel::Parts::stream(double dt) {
   }
   if (is_due<mavlink::LocalPositionNed>(dt)) say(local_position(boot_ms));
   if (is_due<mavlink::GlobalPositionInt>(dt)) say(global_position(boot_ms));
-  if (is_due<mavlink::ObstacleDistance>(dt)) say(distances(boot_ms));
+  if (is_due<mavlink::ObstacleDistance>(dt)) measured.emplace_back(time + scan_lag, distances(boot_ms));
+  while (!measured.empty() && measured.front().first <= time) {
+    say(measured.front().second);
+    measured.pop_front();
+  }
 }
 
 MavlinkRoverModel::MavlinkRoverModel(const overlay::Overlay& world, const MavlinkRoverSpec& spec)

@@ -15,6 +15,7 @@ struct MavlinkRoverSpec {
   double max_turn_rate = 1.0;     ///< [rad/s]
   double max_acceleration = 2.0;  ///< [m/s^2]
   double guided_timeout = 1.5;    ///< its parameter GUID_TIMEOUT [s]
+  double scan_lag = 0.0;          ///< from when its distances were measured to when they are said [s]
   geom::Pose place = {};          ///< where it stands when it is switched on [m, world]
   /// Where the world's (0, 0) lies, unless the overlay says so.
   geography::GeoPoint earth = {49.0, 8.3};
