@@ -270,7 +270,7 @@ std::optional<vehicle::Fix> Readings::fix(Time now) const {
   if (!there || moved_.empty()) return std::nullopt;
   const Moving then = sample_at(moved_, place_boot_ms_);
   // What was said of its place may be newer, or older, than what is known of its own frame.
-  const double later = (std::int64_t{place_boot_ms_} - then.boot_ms) / 1000.0;
+  const double later = (static_cast<double>(place_boot_ms_) - static_cast<double>(then.boot_ms)) / 1000.0;
   const bool is_between = place_boot_ms_ <= moved_.back().boot_ms && place_boot_ms_ >= moved_.front().boot_ms;
   vehicle::Fix out;
   out.place = {base::degrees(there->latitude), base::degrees(there->longitude)};

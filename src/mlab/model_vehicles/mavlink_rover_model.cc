@@ -211,7 +211,7 @@ void MavlinkRoverModel::Parts::take(const mavlink::SetPositionTargetLocalNed& me
       message.coordinate_frame != mavlink::kFrameBodyNed)
     return;
   set_point_at = time;
-  speed = std::copysign(std::hypot(message.vx, message.vy), message.vx);
+  speed = std::copysign(geom::length(geom::Offset{message.vx, message.vy}), static_cast<double>(message.vx));
   turn_rate = -static_cast<double>(message.yaw_rate);
 }
 
