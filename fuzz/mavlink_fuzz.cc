@@ -85,6 +85,12 @@ void look_at(const vehicle::Report& report, Time now) {
       fail("it moves by no number");
     if (is.at > now) fail("it knows the future");
   }
+  if (report.fix) {
+    const vehicle::Fix& is = *report.fix;
+    if (!(std::abs(is.place.latitude_deg) <= 90.0 && std::abs(is.place.longitude_deg) <= 180.0) ||
+        !std::isfinite(is.point.x + is.point.y) || is.at > now)
+      fail("it is nowhere on the Earth");
+  }
   if (report.battery && !(report.battery->share >= 0.0 && report.battery->share <= 1.0))
     fail("more than all");
   if (report.scans.size() > 9) fail("too many scans");
@@ -127,6 +133,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     look_at(device.report(now), now);
     if (data[at - 1] % 7 == 0)
       device.stop(now);
+    else if (data[at - 1] % 11 == 0)
+      device.stop_in_emergency(now);
+    else if (data[at - 1] % 13 == 0)
+      device.engage(now);
     else
       device.drive({static_cast<double>(length), -3.0}, now);
     if (device.take_notes().size() > 32 || device.parameters().size() > 16) fail("it keeps too much");

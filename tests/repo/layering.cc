@@ -41,7 +41,7 @@ const std::map<std::string, Modules, std::less<>> kArrows = {
     {"vehicles", {"agents", "vehicle"}},
     {"mavlink", {"vehicle", "text"}},
     {"ros2", {"dds", "vehicle", "text"}},
-    {"model_vehicles", {"vehicle", "lang/odl"}},
+    {"model_vehicles", {"vehicle", "mavlink", "lang/odl"}},
     {"sim", {"binding"}},
     {"recording", {"binding", "robot/wire", "text"}},
     {"lang/odl", {"text", "overlay"}},

@@ -12,8 +12,8 @@ constexpr auto kPeriod = std::chrono::milliseconds(20);
 
 LineRig::LineRig(std::uint64_t seed, const Facts& facts,
                  std::unique_ptr<model_vehicles::ModelVehicle> vehicle,
-                 const std::function<Made(std::unique_ptr<Stream>)>& make_device)
-    : facts_(facts), line_(seed), vehicle_(std::move(vehicle)) {
+                 const std::function<Made(std::unique_ptr<Stream>)>& make_device, TestLine::Kind kind)
+    : facts_(facts), line_(seed, kind), vehicle_(std::move(vehicle)) {
   Made made = make_device(line_.device_end());
   if (!made.has_value()) throw std::runtime_error(made.error());
   device_ = std::move(*made);

@@ -14,12 +14,13 @@
 namespace mlab::vehicle {
 
 /// A device and a model vehicle at the two ends of a line, on a clock of their own.
-class LineRig final : public Rig {
+class LineRig : public Rig {
  public:
   using Made = std::expected<std::unique_ptr<Device>, std::string>;
 
   LineRig(std::uint64_t seed, const Facts& facts, std::unique_ptr<model_vehicles::ModelVehicle> vehicle,
-          const std::function<Made(std::unique_ptr<Stream>)>& make_device);
+          const std::function<Made(std::unique_ptr<Stream>)>& make_device,
+          TestLine::Kind kind = TestLine::Kind::kSerial);
 
   const Facts& facts() const override { return facts_; }
   Device& device() override { return *device_; }
@@ -31,6 +32,9 @@ class LineRig final : public Rig {
   void mend() override;
   void hold_back() override { line_.hold_back(); }
   void release() override { line_.release(now_); }
+
+ protected:
+  model_vehicles::ModelVehicle& vehicle() { return *vehicle_; }
 
  private:
   Facts facts_;

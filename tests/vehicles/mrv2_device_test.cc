@@ -73,7 +73,7 @@ TEST_F(Mrv2, IsNotReadyWhileItsEmergencyStopIsPressed) {
   EXPECT_EQ(report().readiness, Readiness::kReady);
   model_->press_stop(true);
   go(0.3);
-  EXPECT_EQ(report().readiness, Readiness::kNotReady);
+  EXPECT_EQ(report().readiness, Readiness::kTaken);
   EXPECT_EQ(report().why, "has its emergency stop pressed");
   EXPECT_TRUE(report().motion.has_value());
   device_->drive({0.1, 0.0}, now_);

@@ -52,7 +52,8 @@ class FleetVehicles {
     if (crewed.empty()) return simulated;
     const std::uint64_t session =
         base::hash_text(roster_->participant().guid().text() + "/" + std::to_string(++sessions_));
-    return std::make_unique<vehicle::Bodies>(std::move(simulated), std::move(crewed), session | 1U);
+    return std::make_unique<vehicle::Bodies>(std::move(simulated), std::move(crewed), session | 1U,
+                                             mission.overlay.projection);
   }
 
  private:

@@ -72,8 +72,8 @@ std::unique_ptr<run::MissionRun> Remaker::begin(text::Diagnostics& sink) {
   if (!beginning.vehicles().empty()) {
     settings.vehicles =
         [recorded = std::vector<std::string>(beginning.vehicles().begin(), beginning.vehicles().end())](
-            const mission::Mission& /*mission*/, std::unique_ptr<binding::Binding> simulated) {
-          return vehicle::recorded_bodies(std::move(simulated), recorded);
+            const mission::Mission& mission, std::unique_ptr<binding::Binding> simulated) {
+          return vehicle::recorded_bodies(std::move(simulated), recorded, mission.overlay.projection);
         };
   }
   first_ = crew_;

@@ -1,20 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "mlab/vehicle/device.h"
 
 namespace mlab::mavlink {
 
 /// Puts times of a vehicle, milliseconds since it began, onto our clock: what came fastest was not delayed,
-/// and what comes later is that much older. What came fastest counts for five to ten seconds: clocks part,
-/// and a vehicle that begins again soon after it began shows it by nothing else.
+/// and what comes later is that much older. What came fastest counts for five to ten seconds: clocks part.
 class BootClock {
  public:
   enum class Verdict : std::uint8_t {
     kGood,
     kLate,      ///< older than what came before: overtaken on its way
-    kRestarted  ///< so much older that the vehicle has begun again
+    kRestarted  ///< so much older, or for so long, that the vehicle has begun again
   };
 
   /// @param kind  of message: times of each kind grow by themselves
@@ -29,6 +29,7 @@ class BootClock {
   std::uint32_t newest_ = 0;
   std::uint32_t last_[kKinds] = {};
   bool has_last_[kKinds] = {};
+  std::optional<vehicle::Clock::time_point> late_since_;  // nothing else came since
   // When it began, by what came fastest: in this span of five seconds, and in the one before it.
   vehicle::Clock::time_point began_;
   vehicle::Clock::time_point began_before_;

@@ -20,10 +20,8 @@ constexpr milliseconds kHoldIsOurs{4000};
 constexpr milliseconds kSameStop{1000};
 // After a silence set-points say so long that it is to stand.
 constexpr milliseconds kStandAfterSilence{1000};
-
-bool is_pilots_now(const Heard& heard) {
-  return heard.is_armed && is_pilots(heard.mode);
-}
+// It may still have been alone when it was heard again: its failsafe then acts only now.
+constexpr milliseconds kFailsafeFollows{1000};
 
 bool moves(const vehicle::Motion& motion, double from) {
   return std::abs(motion.speed) > from || std::abs(motion.turn_rate) > from;
@@ -57,27 +55,41 @@ void Control::drive(const vehicle::Command& command, Time now) {
   stand_until_.reset();
 }
 
-void Control::stop(Time now) {
-  const bool is_new = wish_ != Wish::kStop || now - stop_asked_at_ > kSameStop;
+void Control::stop(bool is_emergency, Time now) {
+  const bool is_new =
+      wish_ != Wish::kStop || now - stop_asked_at_ > kSameStop || is_emergency != is_emergency_;
   stop_asked_at_ = now;
   if (!is_new) return;
   wish_ = Wish::kStop;
+  is_emergency_ = is_emergency;
+  if (is_emergency) taken_.clear();
+  begin_stopping(now);
+}
+
+void Control::begin_stopping(Time now) {
   stopping_since_ = now;
   has_stopped_ = false;
   is_engaged_ = false;
-  taken_.clear();
   refusal_.clear();
   hold_.sent = disarm_.sent = 0;
   hold_.not_before.reset();
   disarm_.not_before.reset();
 }
 
+void Control::engage() {
+  is_reclaimed_ = !taken_.empty();
+  taken_.clear();
+  refusal_.clear();
+}
+
 void Control::let_go(Time now) {
   // What it was told last may still be on its way.
   if (is_engaged_) stand_until_ = now + kStandAfterSilence;
+  let_go_at_ = now;
   is_engaged_ = false;
   if (wish_ == Wish::kDrive) wish_ = Wish::kNone;
   taken_.clear();
+  is_reclaimed_ = false;
   refusal_.clear();
 }
 
@@ -127,14 +139,15 @@ void Control::send_set_point(const vehicle::Command& command, const Heard& heard
 void Control::notice_taking(const Heard& heard, Time now) {
   if (!is_engaged_ || (heard.mode == Mode::kGuided && heard.is_armed)) return;
   is_engaged_ = false;
-  const bool is_ours = heard.mode == Mode::kHold && held_at_ && now - *held_at_ < kHoldIsOurs;
-  if (is_ours) return;
+  const bool is_ours = held_at_ && now - *held_at_ < kHoldIsOurs;
+  const bool is_failsafes = let_go_at_ && now - *let_go_at_ < kFailsafeFollows;
+  if (heard.mode == Mode::kHold && heard.is_armed && (is_ours || is_failsafes)) return;
   if (!heard.is_armed)
-    taken_ = "was disarmed by itself or by somebody else; stop, then drive, to arm it again";
+    taken_ = "was disarmed by itself or by somebody else; Replace in the console has it armed again";
   else
-    taken_ =
-        fmt::format("was put into mode {} by itself or by somebody else; stop, then drive, to take it back",
-                    name_of(heard.mode));
+    taken_ = fmt::format(
+        "was put into mode {} by itself or by somebody else; Replace in the console takes it back",
+        name_of(heard.mode));
 }
 
 void Control::work(const Heard& heard, bool may_drive, const vehicle::Motion* motion, Line& line, Time now) {
@@ -144,6 +157,8 @@ void Control::work(const Heard& heard, bool may_drive, const vehicle::Motion* mo
   if (wish_ == Wish::kStop) {
     work_stop(heard, motion, line, now);
   } else if (wish_ == Wish::kDrive && taken_by(heard).empty()) {
+    // A heartbeat from before a silence does not tell what became of it meanwhile.
+    if (let_go_at_ && heard.at <= *let_go_at_) return;
     if (may_drive)
       work_drive(heard, line, now);
     else if (is_engaged_)
@@ -163,15 +178,19 @@ void Control::work_drive(const Heard& heard, Line& line, Time now) {
     ask(arm_, heard, line, now);
   } else {
     is_engaged_ = true;
+    is_reclaimed_ = false;
     refusal_.clear();
     send_set_point(command_, heard, line, now);
   }
 }
 
 void Control::work_stop(const Heard& heard, const vehicle::Motion* motion, Line& line, Time now) {
-  if (has_stopped_ || is_pilots_now(heard)) return;
   const bool is_moving = motion != nullptr && moves(*motion, kStandsBelow);
   const bool is_held = heard.mode == Mode::kHold || !heard.is_armed;
+  // An emergency lasts as long as this is called: nobody gets it away from there meanwhile.
+  const bool lasts = is_emergency_ && now - stop_asked_at_ <= kSameStop;
+  if (has_stopped_ && lasts && !is_held) begin_stopping(now);
+  if (has_stopped_ || (!is_emergency_ && !taken_by(heard).empty())) return;
   // A heartbeat from before says nothing of what came after.
   const bool is_seen = heard.at > stopping_since_;
   if (is_seen && is_held && !is_moving) {
@@ -186,7 +205,7 @@ void Control::work_stop(const Heard& heard, const vehicle::Motion* motion, Line&
 }
 
 void Control::leave(const Heard& heard, Line& line, Time now) {
-  if (is_pilots_now(heard) || (wish_ != Wish::kDrive && !is_engaged_) || !taken_by(heard).empty()) return;
+  if ((wish_ != Wish::kDrive && !is_engaged_) || !taken_by(heard).empty()) return;
   set_point_at_.reset();
   send_set_point({}, heard, line, now);
   hold_.not_before.reset();
@@ -196,6 +215,7 @@ void Control::leave(const Heard& heard, Line& line, Time now) {
 std::string Control::taken_by(const Heard& heard) const {
   if (!taken_.empty()) return taken_;
   if (!heard.is_armed || heard.mode == Mode::kHold || heard.mode == Mode::kGuided || is_engaged_) return {};
+  if (is_reclaimed_ && !is_pilots(heard.mode)) return {};
   return fmt::format(
       "is armed and in mode {}: {}", name_of(heard.mode),
       is_pilots(heard.mode) ? "a pilot steers it" : "somebody else, or its own failsafe, drives it");

@@ -31,8 +31,9 @@ struct Heard {
 /// somebody else has taken it.
 ///
 /// Whoever changes its mode or disarms it while it is driven has taken it: its own failsafes, a pilot,
-/// another ground station. It is not fought about: nothing is sent until `stop` and then `drive` are called.
-/// A pilot who steers an armed rover by hand keeps it, whatever is called.
+/// another ground station. It is not fought about: nothing is sent until `engage` and then `drive` are
+/// called, but for an emergency. A pilot who steers an armed rover by hand keeps it also then, but for an
+/// emergency.
 class Control {
  public:
   using Time = vehicle::Clock::time_point;
@@ -41,8 +42,12 @@ class Control {
   explicit Control(vehicle::Clock::duration command_lasts) : command_lasts_(command_lasts) {}
 
   void drive(const vehicle::Command& command, Time now);
-  void stop(Time now);
-  /// It was silent, or has begun again: it stands until the next `drive`.
+  /// @param is_emergency  also where somebody has taken it
+  void stop(bool is_emergency, Time now);
+  /// What was taken from us may be taken back.
+  void engage();
+  /// It was silent, or has begun again: it stands until the next `drive`. Meanwhile its failsafe may have put
+  /// it into HOLD, which is nobody's word.
   void let_go(Time now);
   void take(const CommandAck& message, Time now);
   /// Sends what is due.
@@ -74,6 +79,7 @@ class Control {
   void ask(Request& request, const Heard& heard, Line& line, Time now);
   void send_set_point(const vehicle::Command& command, const Heard& heard, Line& line, Time now);
   void notice_taking(const Heard& heard, Time now);
+  void begin_stopping(Time now);
 
   vehicle::Clock::duration command_lasts_;
   Wish wish_ = Wish::kNone;
@@ -81,11 +87,14 @@ class Control {
   Time commanded_at_;
   Time stop_asked_at_;
   Time stopping_since_;
+  bool is_emergency_ = false;  // what it is to stop for
   bool has_stopped_ = false;
   bool is_engaged_ = false;
   std::optional<Time> held_at_;
   std::optional<Time> stand_until_;
+  std::optional<Time> let_go_at_;
   std::string taken_;
+  bool is_reclaimed_ = false;
   std::string refusal_;
   std::optional<Time> set_point_at_;
   Request guided_{kDoSetMode, 1.0F, static_cast<float>(Mode::kGuided), 0, {}};

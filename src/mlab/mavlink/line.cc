@@ -8,6 +8,8 @@
 namespace mlab::mavlink {
 namespace {
 
+constexpr std::chrono::milliseconds kPause{300};
+
 Signatures* pointer_to(std::optional<Signatures>& signatures) {
   return signatures ? &*signatures : nullptr;
 }
@@ -29,6 +31,8 @@ std::optional<Frame> Line::next(Time now) {
     const auto bytes = stream_->read(now);
     if (stream_->openings() != std::exchange(opening_, stream_->openings())) reader_.begin_anew();
     if (bytes.empty()) return std::nullopt;
+    // The rest of a frame does not come so late: a begin that was cut off would swallow what comes now.
+    if (now - std::exchange(read_at_, now) > kPause) reader_.begin_anew();
     budget_ -= std::min(budget_, bytes.size());
     reader_.feed(bytes);
   }

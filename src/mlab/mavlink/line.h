@@ -51,6 +51,7 @@ class Line {
   FrameReader reader_;
   FrameWriter writer_;
   std::uint64_t opening_ = 0;
+  Time read_at_;
   std::size_t budget_ = 0;
 };
 

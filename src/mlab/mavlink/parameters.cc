@@ -10,11 +10,14 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// From where it lets go of the last set-point to where it stands [s].
+// Of the time from the last command to where it stands: how long that is repeated and is on its way, and how
+// long it brakes once it has let go of the last set-point [s].
+constexpr double kRepeating = 0.5;
 constexpr double kBraking = 0.5;
 // Slow radios carry a few questions a second beside all else.
 constexpr milliseconds kBetweenQuestions{100};
-constexpr milliseconds kAnswersWithin{1000};
+constexpr milliseconds kAnswersWithin{500};
+constexpr milliseconds kWrittenWithin{1000};
 constexpr milliseconds kKnownFor{30000};
 
 std::string range_of(const Wanted& wanted) {
@@ -25,7 +28,7 @@ std::string range_of(const Wanted& wanted) {
 }  // namespace
 
 Parameters::Parameters(std::uint8_t self, double standstill) {
-  const double guided = std::max(standstill - kBraking, 0.1);
+  const double guided = std::max(standstill - kRepeating - kBraking, 0.1);
   for (const Wanted& one : std::initializer_list<Wanted>{
            {"FS_GCS_ENABLE", "", 1, 2, true, "it has to act by itself when it hears us no more"},
            {"FS_ACTION", "", 2, 2, true, "its failsafes have to let it stand (2, HOLD), not drive somewhere"},
@@ -59,21 +62,23 @@ void Parameters::begin_anew() {
 
 std::optional<std::string_view> Parameters::to_ask(Time now) {
   if (asked_at_ && now - *asked_at_ < kBetweenQuestions) return std::nullopt;
+  Row* next = nullptr;  // of those that are due the one that waits the longest
   for (Row& row : rows_) {
     if (row.asked_at && now - *row.asked_at < (row.value ? kKnownFor : kAnswersWithin)) continue;
-    // Which of two names it has is found by asking for both in turns.
-    if (!row.value && row.asked_at && !row.wanted.other_name.empty()) row.is_other_name = !row.is_other_name;
-    row.asked_at = now;
-    asked_at_ = now;
-    return row.name();
+    if (next == nullptr || row.asked_at < next->asked_at) next = &row;
   }
-  return std::nullopt;
+  if (next == nullptr) return std::nullopt;
+  // Which of two names it has is found by asking for both in turns.
+  if (!next->value && next->asked_at && !next->wanted.other_name.empty())
+    next->is_other_name = !next->is_other_name;
+  next->asked_at = asked_at_ = now;
+  return next->name();
 }
 
 std::optional<Parameters::Write> Parameters::to_write(Time now) {
   for (Row& row : rows_) {
     const bool is_wrong = row.wanted.is_needed && row.value && !row.is_right();
-    if (!is_wrong || (row.written_at && now - *row.written_at < kAnswersWithin)) continue;
+    if (!is_wrong || (row.written_at && now - *row.written_at < kWrittenWithin)) continue;
     row.written_at = now;
     return Write{row.name(), std::clamp(*row.value, row.wanted.low, row.wanted.high)};
   }

@@ -47,8 +47,8 @@ class Parameters {
   /// Nothing is known any more.
   void begin_anew();
 
-  /// The name that is to be asked for now, if any. To be called often; each is asked for once a second until
-  /// it is known, and every half minute afterwards.
+  /// The name that is to be asked for now, if any. To be called often; each is asked for about twice a second
+  /// until it is known, and every half minute afterwards.
   std::optional<std::string_view> to_ask(Time now);
   /// What is to be written so that a needed parameter, which is known, is right; if any is not.
   struct Write {

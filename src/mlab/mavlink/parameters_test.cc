@@ -25,7 +25,7 @@ void tell(Parameters& parameters, std::string_view name, float value) {
 
 // All are as they have to be.
 Parameters well() {
-  Parameters out(255, 2.0);
+  Parameters out(255, 2.5);
   for (const auto& [name, value] :
        std::initializer_list<std::pair<std::string_view, float>>{{"FS_GCS_ENABLE", 1},
                                                                  {"FS_ACTION", 2},
@@ -48,10 +48,11 @@ std::multiset<std::string> asked(Parameters& parameters, int from_ms, int to_ms)
 }
 
 TEST(Parameters, AreAskedForUntilTheyAreKnown) {
-  Parameters parameters(255, 2.0);
-  EXPECT_EQ(asked(parameters, 0, 1000).size(), 7U);
+  Parameters parameters(255, 2.5);
+  EXPECT_EQ(asked(parameters, 0, 700).size(), 7U);
   tell(parameters, "FS_ACTION", 2);
-  const auto again = asked(parameters, 1000, 2000);
+  const auto again = asked(parameters, 700, 1300);
+  EXPECT_EQ(again.size(), 6U);
   EXPECT_EQ(again.count("FS_ACTION"), 0U);
   EXPECT_EQ(again.count("FS_TIMEOUT"), 1U);
   EXPECT_EQ(parameters.problem(), "has not told its parameter FS_GCS_ENABLE yet");
@@ -65,10 +66,10 @@ TEST(Parameters, AreAskedForAgainAfterHalfAMinute) {
 }
 
 TEST(Parameters, AreKnownByTheNamesOfOtherVersions) {
-  Parameters parameters(200, 2.0);
+  Parameters parameters(200, 2.5);
   asked(parameters, 0, 1000);
-  EXPECT_EQ(asked(parameters, 1000, 2000).count("MAV_GCS_SYSID"), 1U);
-  EXPECT_EQ(asked(parameters, 2000, 3000).count("SYSID_MYGCS"), 1U);
+  EXPECT_EQ(asked(parameters, 700, 1400).count("MAV_GCS_SYSID"), 1U);
+  EXPECT_EQ(asked(parameters, 1400, 2100).count("SYSID_MYGCS"), 1U);
   tell(parameters, "MAV_GCS_SYSID", 200);
   for (const ParameterCheck& one : parameters.checks()) {
     if (one.name != "MAV_GCS_SYSID") continue;
@@ -113,7 +114,7 @@ TEST(Parameters, AreWrittenOnceASecondWhereTheyAreWrong) {
 TEST(Parameters, StandInTheDocumentationAsTheyAre) {
   std::ifstream file(std::filesystem::path(base::source_folder()) / "docs/mavlink.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
-  for (const ParameterCheck& one : Parameters(255, 2.0).checks()) {
+  for (const ParameterCheck& one : Parameters(255, 2.5).checks()) {
     const std::size_t row = page.find("| `" + one.name + "`");
     ASSERT_NE(row, std::string::npos) << one.name;
     const std::string text = page.substr(row, page.find('\n', row) - row);

@@ -11,6 +11,8 @@
 namespace mlab::mavlink {
 namespace {
 
+using std::chrono::milliseconds;
+
 constexpr double kPi = std::numbers::pi;
 // Beyond these nothing that drives on the ground is, or moves.
 constexpr double kFarthestPlace = 1e6;
@@ -19,6 +21,11 @@ constexpr double kFastestTurn = 50.0;
 // A jump is what no speed explains, and this much more: filters correct themselves by less all the time [m].
 constexpr double kJump = 1.0;
 constexpr double kCentimetre = 0.01;
+// Of heading or position in a second; who sends more often is known less far back.
+constexpr std::size_t kMostSamples = 64;
+// What is said as often goes out in one go; where one of both got lost, an older pair is better than what is
+// of two moments.
+constexpr milliseconds kOneGo{20};
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
@@ -52,9 +59,9 @@ bool Readings::take(const Attitude& message, Time now) {
   }
   bool is_new = false;
   if (hear(0, message.time_boot_ms, now, is_new)) return true;
-  if (is_new)
-    turning_ = {base::wrap_angle(kPi / 2.0 - message.yaw), -message.yawspeed,
-                clock_.time_of(message.time_boot_ms, now)};
+  if (!is_new) return false;
+  keep(turned_, Turning{base::wrap_angle(kPi / 2.0 - message.yaw), -message.yawspeed, message.time_boot_ms});
+  comes_in_one_go_ = comes_in_one_go_ || newest_pair();
   return false;
 }
 
@@ -67,18 +74,45 @@ bool Readings::take(const LocalPositionNed& message, Time now) {
   bool is_new = false;
   if (hear(1, message.time_boot_ms, now, is_new)) return true;
   if (!is_new) return false;
-  const Moving next{
-      {message.y, message.x}, {message.vy, message.vx}, clock_.time_of(message.time_boot_ms, now)};
+  const Moving next{{message.y, message.x}, {message.vy, message.vx}, message.time_boot_ms};
   notice_jump(next, now);
-  moving_ = next;
+  keep(moved_, next);
+  comes_in_one_go_ = comes_in_one_go_ || newest_pair();
   return false;
 }
 
+template <class Sample>
+void Readings::keep(Past<Sample>& past, const Sample& next) {
+  past.push_back(next);
+  while (past.size() > kMostSamples || milliseconds(next.boot_ms - past.front().boot_ms) > kMotionLasts)
+    past.pop_front();
+}
+
+template <class Sample>
+Sample Readings::sample_at(const Past<Sample>& past, std::uint32_t boot_ms) {
+  const auto after = std::ranges::upper_bound(past, boot_ms, {}, &Sample::boot_ms);
+  if (after == past.begin()) return past.front();
+  const Sample& a = *std::prev(after);
+  if (after == past.end() || a.boot_ms == boot_ms) return a;
+  return between(a, *after, static_cast<double>(boot_ms - a.boot_ms) / (after->boot_ms - a.boot_ms));
+}
+
+Readings::Turning Readings::between(const Turning& a, const Turning& b, double share) {
+  return {base::wrap_angle(a.heading + share * base::wrap_angle(b.heading - a.heading)),
+          std::lerp(a.rate, b.rate, share), a.boot_ms};
+}
+
+Readings::Moving Readings::between(const Moving& a, const Moving& b, double share) {
+  return {a.position + (b.position - a.position) * share, a.velocity + (b.velocity - a.velocity) * share,
+          a.boot_ms};
+}
+
 void Readings::notice_jump(const Moving& next, Time now) {
-  if (!moving_) return;
-  const double dt = std::max(std::chrono::duration<double>(next.at - moving_->at).count(), 0.0);
-  const double speed = std::max({length(next.velocity), length(moving_->velocity), max_speed_});
-  const double way = geom::distance(next.position, moving_->position);
+  if (moved_.empty()) return;
+  const Moving& last = moved_.back();
+  const double dt = (next.boot_ms - last.boot_ms) / 1000.0;
+  const double speed = std::max({length(next.velocity), length(last.velocity), max_speed_});
+  const double way = geom::distance(next.position, last.position);
   if (way <= speed * dt * 1.5 + kJump) return;
   jump_ = way;
   jumped_at_ = now;
@@ -92,9 +126,10 @@ bool Readings::take(const GlobalPositionInt& message, Time now) {
   }
   bool is_new = false;
   if (hear(2, message.time_boot_ms, now, is_new)) return true;
-  if (is_new)
-    place_ = {base::radians(message.lat * 1e-7), base::radians(message.lon * 1e-7),
-              clock_.time_of(message.time_boot_ms, now)};
+  if (!is_new) return false;
+  place_ = {base::radians(message.lat * 1e-7), base::radians(message.lon * 1e-7),
+            clock_.time_of(message.time_boot_ms, now)};
+  place_boot_ms_ = message.time_boot_ms;
   return false;
 }
 
@@ -136,7 +171,8 @@ void Readings::take(const ObstacleDistance& message, Time now) {
                                                       : static_cast<double>(message.increment);
   const bool is_turned = message.frame == kFrameGlobal;
   const bool is_known =
-      message.frame == kFrameBodyFrd || (is_turned && turning_ && now - turning_->at < kMotionLasts);
+      message.frame == kFrameBodyFrd ||
+      (is_turned && !turned_.empty() && now - clock_.time_of(turned_.back().boot_ms, now) < kMotionLasts);
   if (!is_known || !is_within(step_deg, 360.0) || std::abs(step_deg) < 0.01 ||
       !is_within(message.angle_offset, 360.0) || message.min_distance >= message.max_distance) {
     ++dropped_;
@@ -161,7 +197,7 @@ void Readings::take(const ObstacleDistance& message, Time now) {
     std::ranges::reverse(scan.distances);
   }
   // From north instead of from its nose.
-  if (is_turned) first += kPi / 2.0 - turning_->heading;
+  if (is_turned) first += kPi / 2.0 - turned_.back().heading;
   scan.first_angle = base::wrap_angle(first);
   // Since it began, or since 1970, by a clock that nobody here knows.
   const std::uint64_t ms = message.time_usec / 1000;
@@ -177,23 +213,47 @@ void Readings::keep(vehicle::Scan scan) {
 
 void Readings::begin_anew() {
   clock_.begin_anew();
-  turning_.reset();
-  moving_.reset();
+  comes_in_one_go_ = false;
+  forget();
+}
+
+void Readings::forget() {
+  turned_.clear();
+  moved_.clear();
   battery_.reset();
   place_.reset();
   scans_.clear();
   jump_ = 0.0;
 }
 
+// What was said of both in one go; nothing: they do not come so.
+std::optional<std::pair<Readings::Turning, Readings::Moving>> Readings::newest_pair() const {
+  for (auto turned = turned_.rbegin(); turned != turned_.rend(); ++turned) {
+    for (auto moved = moved_.rbegin(); moved != moved_.rend(); ++moved) {
+      const std::int64_t apart = std::int64_t{turned->boot_ms} - moved->boot_ms;
+      if (std::abs(apart) <= kOneGo.count()) return std::pair(*turned, *moved);
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<vehicle::Motion> Readings::motion(Time now) const {
-  if (!turning_ || !moving_) return std::nullopt;
+  if (turned_.empty() || moved_.empty()) return std::nullopt;
+  auto told = newest_pair();
+  if (!told) {
+    if (comes_in_one_go_) return std::nullopt;  // one of both got lost each time
+    const std::uint32_t both = std::min(turned_.back().boot_ms, moved_.back().boot_ms);
+    told = {sample_at(turned_, both), sample_at(moved_, both)};
+    told->first.boot_ms = both;
+  }
+  const auto& [turning, moving] = *told;
   vehicle::Motion out;
-  out.at = std::min(turning_->at, moving_->at);
+  out.at = clock_.time_of(std::min(turning.boot_ms, moving.boot_ms), now);
   if (now - out.at > kMotionLasts) return std::nullopt;
-  out.pose = {moving_->position, turning_->heading};
-  if (origin_) out.pose.position = *origin_ + (moving_->position - geom::Point{});
-  out.speed = dot(moving_->velocity, {std::cos(turning_->heading), std::sin(turning_->heading)});
-  out.turn_rate = turning_->rate;
+  out.pose = {moving.position, turning.heading};
+  if (origin_) out.pose.position = *origin_ + (moving.position - geom::Point{});
+  out.speed = dot(moving.velocity, {std::cos(turning.heading), std::sin(turning.heading)});
+  out.turn_rate = turning.rate;
   return out;
 }
 
@@ -203,6 +263,21 @@ std::optional<vehicle::Battery> Readings::battery(Time now) const {
 
 std::optional<Place> Readings::place(Time now) const {
   return place_ && now - place_->at <= kMotionLasts ? place_ : std::nullopt;
+}
+
+std::optional<vehicle::Fix> Readings::fix(Time now) const {
+  const auto there = place(now);
+  if (!there || moved_.empty()) return std::nullopt;
+  const Moving then = sample_at(moved_, place_boot_ms_);
+  // What was said of its place may be newer, or older, than what is known of its own frame.
+  const double later = (static_cast<double>(place_boot_ms_) - static_cast<double>(then.boot_ms)) / 1000.0;
+  const bool is_between = place_boot_ms_ <= moved_.back().boot_ms && place_boot_ms_ >= moved_.front().boot_ms;
+  vehicle::Fix out;
+  out.place = {base::degrees(there->latitude), base::degrees(there->longitude)};
+  out.point = is_between ? then.position : then.position + then.velocity * later;
+  out.north = kPi / 2.0;
+  out.at = there->at;
+  return out;
 }
 
 void Readings::scans(Time now, std::vector<vehicle::Scan>& out) const {

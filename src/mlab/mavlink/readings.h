@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "mlab/mavlink/boot_clock.h"
 #include "mlab/mavlink/messages.h"
@@ -44,12 +46,16 @@ class Readings {
   void take(const BatteryStatus& message, Time now);
   void take(const DistanceSensor& message, Time now);
   void take(const ObstacleDistance& message, Time now);
-  /// Nothing is known any more; the vehicle's own clock begins anew.
+  /// Nothing is known any more.
+  void forget();
+  /// The same, and the vehicle's own clock begins anew.
   void begin_anew();
 
   std::optional<vehicle::Motion> motion(Time now) const;
   std::optional<vehicle::Battery> battery(Time now) const;
   std::optional<Place> place(Time now) const;
+  /// The same, and which point of its own frame that is.
+  std::optional<vehicle::Fix> fix(Time now) const;
   /// By their numbers: 0 is OBSTACLE_DISTANCE, 1 .. 8 are sensors of distance by their orientation.
   void scans(Time now, std::vector<vehicle::Scan>& out) const;
   /// How far its position has just jumped [m]; 0: it has not.
@@ -61,13 +67,24 @@ class Readings {
   struct Turning {
     double heading = 0.0;
     double rate = 0.0;
-    Time at;
+    std::uint32_t boot_ms = 0;  // when it was so, by its clock
   };
   struct Moving {
     geom::Point position;
     geom::Offset velocity;
-    Time at;
+    std::uint32_t boot_ms = 0;
   };
+  // The last second, by time: heading and position come one after the other, and either may get lost; what is
+  // told of both is of one moment.
+  template <class Sample>
+  using Past = std::deque<Sample>;
+  template <class Sample>
+  static void keep(Past<Sample>& past, const Sample& next);
+  template <class Sample>
+  static Sample sample_at(const Past<Sample>& past, std::uint32_t boot_ms);
+  std::optional<std::pair<Turning, Moving>> newest_pair() const;
+  static Turning between(const Turning& a, const Turning& b, double share);
+  static Moving between(const Moving& a, const Moving& b, double share);
 
   bool hear(std::uint32_t kind, std::uint32_t boot_ms, Time now, bool& is_new);
   void notice_jump(const Moving& next, Time now);
@@ -76,10 +93,12 @@ class Readings {
   std::optional<geom::Point> origin_;
   double max_speed_;
   BootClock clock_;
-  std::optional<Turning> turning_;
-  std::optional<Moving> moving_;
+  Past<Turning> turned_;
+  Past<Moving> moved_;
+  bool comes_in_one_go_ = false;
   std::optional<vehicle::Battery> battery_;
   std::optional<Place> place_;
+  std::uint32_t place_boot_ms_ = 0;
   std::map<std::uint32_t, vehicle::Scan> scans_;
   double jump_ = 0.0;
   Time jumped_at_;

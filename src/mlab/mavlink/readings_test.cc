@@ -66,6 +66,58 @@ TEST(Readings, PlaceTheRoversFrameInTheWorld) {
   EXPECT_EQ(readings.motion(at(0))->pose.position, (geom::Point{104, 203}));
 }
 
+TEST(Readings, TellPlaceAndHeadingOfOneMoment) {
+  Readings readings({}, 2.0);
+  readings.take(attitude(0, 0.0F), at(0));
+  readings.take(position(0, 0, 0), at(0));
+  readings.take(attitude(100, 0.5F), at(100));  // what was said of its place then is lost
+  EXPECT_NEAR(readings.motion(at(100))->pose.heading, kPi / 2, 1e-6);
+  EXPECT_EQ(readings.motion(at(100))->at, at(0));
+  readings.take(attitude(200, 1.0F), at(200));
+  readings.take(position(200, 2, 0), at(200));
+  EXPECT_NEAR(readings.motion(at(200))->pose.heading, kPi / 2 - 1.0, 1e-6);
+  EXPECT_EQ(readings.motion(at(200))->at, at(200));
+}
+
+TEST(Readings, TellPlaceAndHeadingOfOneMomentWhereTheyAreSaidByTurns) {
+  Readings readings({}, 2.0);
+  readings.take(attitude(0, 0.0F), at(0));
+  readings.take(position(50, 1, 0), at(50));
+  readings.take(attitude(100, 0.5F), at(100));
+  EXPECT_EQ(readings.motion(at(100))->at, at(50));
+  EXPECT_NEAR(readings.motion(at(100))->pose.heading, kPi / 2 - 0.25, 1e-6);
+}
+
+TEST(Readings, KnowWhichPointOfTheRoversFrameIsWhereOnTheEarth) {
+  Readings readings({}, 2.0);
+  GlobalPositionInt place;
+  place.time_boot_ms = 150;
+  place.lat = 482082000;
+  place.lon = 163738000;
+  EXPECT_FALSE(readings.fix(at(0)));
+  readings.take(position(100, 0, 0, 1.0F), at(100));
+  readings.take(place, at(150));
+  ASSERT_TRUE(readings.fix(at(150)));
+  EXPECT_NEAR(readings.fix(at(150))->point.y, 0.05, 1e-6) << "as it moved";
+  readings.take(position(200, 0.2F, 0, 1.0F), at(200));
+  const vehicle::Fix fix = readings.fix(at(200)).value();
+  EXPECT_NEAR(fix.point.y, 0.1, 1e-6) << "between what it has said";
+  EXPECT_NEAR(fix.place.latitude_deg, 48.2082, 1e-9);
+  EXPECT_NEAR(fix.place.longitude_deg, 16.3738, 1e-9);
+  EXPECT_NEAR(fix.north, kPi / 2, 1e-9);
+  EXPECT_FALSE(readings.fix(at(1200)));
+}
+
+TEST(Readings, NoticeThatTheVehicleHasBegunAgainSoonAfterItBegan) {
+  Readings readings({}, 2.0);
+  readings.take(position(4000, 0, 0), at(4000));
+  bool has_begun_again = false;
+  for (int ms = 0; ms < 1000; ms += 100)
+    has_begun_again =
+        has_begun_again || readings.take(position(static_cast<std::uint32_t>(ms), 5, 5), at(6000 + ms));
+  EXPECT_TRUE(has_begun_again);
+}
+
 TEST(Readings, AreNotThereAnyMoreWhenTheyAreOld) {
   Readings readings({}, 2.0);
   readings.take(attitude(0, 0), at(0));

@@ -17,13 +17,17 @@ using std::chrono::milliseconds;
 using vehicle::Readiness;
 
 // Its failsafe counts them, and some get lost.
-constexpr milliseconds kBetweenHeartbeats{250};
+constexpr milliseconds kBetweenHeartbeats{100};
 constexpr milliseconds kHeartbeatLasts{5000};
 // Who has been silent for so long is not the one to wait for.
 constexpr milliseconds kGivenUpAfter{5000};
 constexpr milliseconds kBetweenAsking{60};
 constexpr milliseconds kNeededWithin{2000};
 constexpr milliseconds kOthersWithin{10000};
+// What it was told last is repeated so long, then that it is to stand.
+constexpr milliseconds kCommandLasts{300};
+// After such a pause its failsafe may have acted, because it did not hear us either.
+constexpr milliseconds kFailsafeMayAct{700};
 constexpr std::size_t kMostNotes = 32;
 // Without a limit of its speed, what is too far for one step is told by this [m/s].
 constexpr double kAnySpeed = 10.0;
@@ -40,16 +44,11 @@ constexpr std::array<Streamed, 8> kStreams = {{
     {Attitude::kInfo.id, milliseconds{100}, true},
     {LocalPositionNed::kInfo.id, milliseconds{100}, true},
     {SysStatus::kInfo.id, milliseconds{1000}, true},
-    {GlobalPositionInt::kInfo.id, milliseconds{500}, false},
+    {GlobalPositionInt::kInfo.id, milliseconds{200}, false},
     {BatteryStatus::kInfo.id, milliseconds{2000}, false},
     {DistanceSensor::kInfo.id, milliseconds{200}, false},
     {ObstacleDistance::kInfo.id, milliseconds{200}, false},
 }};
-
-vehicle::Clock::duration command_lasts(const vehicle::Limits& limits) {
-  return std::chrono::duration_cast<vehicle::Clock::duration>(
-      std::chrono::duration<double>(std::max(limits.standstill - 0.5, 0.1)));
-}
 
 double max_speed_of(const vehicle::Limits& limits) {
   return limits.kinematics.max_speed > 0.0 ? limits.kinematics.max_speed : kAnySpeed;
@@ -77,7 +76,7 @@ RoverDevice::RoverDevice(std::unique_ptr<vehicle::Stream> stream, const RoverSet
       line_(std::move(stream), settings.self, settings.key, settings.signing_clock),
       parameters_(settings.self, settings.limits.standstill),
       readings_(settings.origin, max_speed_of(settings.limits)),
-      control_(command_lasts(settings.limits)),
+      control_(kCommandLasts),
       streams_seen_(kStreams.size()),
       streams_asked_(kStreams.size()) {}
 
@@ -111,6 +110,7 @@ void RoverDevice::work(Time now) {
 void RoverDevice::lose(Time now) {
   notice(now, 4, fmt::format("has been silent for {:.1f} s", seconds(kSilentAfter)));
   control_.let_go(now);
+  readings_.forget();
   parameters_.begin_anew();
   streams_seen_.assign(kStreams.size(), std::nullopt);
   streams_asked_.assign(kStreams.size(), std::nullopt);
@@ -125,6 +125,7 @@ void RoverDevice::take(const Frame& frame, Time now) {
   if (frame.component != kComponentAutopilot) return;
   if (frame.is<Heartbeat>()) take_heartbeat(frame, now);
   if (!heard_ || frame.system != heard_->system) return;
+  if (frame_at_ && now - *frame_at_ > kFailsafeMayAct) control_.let_go(now);
   frame_at_ = now;
   for (std::size_t i = 0; i < kStreams.size(); ++i) {
     if (kStreams[i].id == frame.id) streams_seen_[i] = now;
@@ -220,7 +221,7 @@ void RoverDevice::ask(Time now) {
   asked_at_ = now;
   for (std::size_t i = 0; i < kStreams.size(); ++i) {
     const Streamed& one = kStreams[i];
-    const auto awaited = std::max<milliseconds>(one.every * 3, kBetweenHeartbeats * 4);
+    const auto awaited = std::max<milliseconds>(one.every * 3, milliseconds(1000));
     const bool comes = streams_asked_[i] && streams_seen_[i] && now - *streams_seen_[i] < awaited;
     const auto again = one.is_needed ? kNeededWithin : kOthersWithin;
     if (comes || (streams_asked_[i] && now - *streams_asked_[i] < again)) continue;
@@ -289,8 +290,7 @@ RoverDevice::Trouble RoverDevice::state_trouble(Time now) const {
 RoverDevice::Trouble RoverDevice::trouble(Time now) const {
   if (const Trouble one = silence(now); one.readiness != Readiness::kReady) return one;
   if (const Trouble one = state_trouble(now); one.readiness != Readiness::kReady) return one;
-  if (std::string why = control_.taken_by(*heard_); !why.empty())
-    return {Readiness::kNotReady, std::move(why)};
+  if (std::string why = control_.taken_by(*heard_); !why.empty()) return {Readiness::kTaken, std::move(why)};
   if (std::string why = parameters_.problem(); !why.empty()) return {Readiness::kNotReady, std::move(why)};
   if (!readings_.motion(now))
     return {Readiness::kNotReady,
@@ -306,11 +306,11 @@ RoverDevice::Trouble RoverDevice::trouble(Time now) const {
 RoverDevice::Trouble RoverDevice::mode_trouble() const {
   if (!control_.refusal().empty()) {
     const std::string& why = control_.refusal();
-    return {Readiness::kNotReady, check_text_.empty() ? why : why + ": " + check_text_};
+    return {Readiness::kStandby, check_text_.empty() ? why : why + ": " + check_text_};
   }
-  if (!heard_->is_armed) return {Readiness::kNotReady, "is not armed"};
+  if (!heard_->is_armed) return {Readiness::kStandby, "is not armed"};
   if (heard_->mode != Mode::kGuided)
-    return {Readiness::kNotReady, fmt::format("is in mode {}, not GUIDED", name_of(heard_->mode))};
+    return {Readiness::kStandby, fmt::format("is in mode {}, not GUIDED", name_of(heard_->mode))};
   return {};
 }
 
@@ -321,7 +321,8 @@ const vehicle::Report& RoverDevice::report(Time now) {
   report_.why = std::move(one.why);
   report_.is_global = settings_.origin.has_value();
   report_.motion = readings_.motion(now);
-  report_.battery = readings_.battery(now);
+  report_.fix = settings_.origin ? std::nullopt : readings_.fix(now);
+  report_.battery = is_silent(now) ? std::nullopt : readings_.battery(now);
   readings_.scans(now, report_.scans);
   return report_;
 }
@@ -336,7 +337,15 @@ void RoverDevice::drive(const vehicle::Command& command, Time now) {
 }
 
 void RoverDevice::stop(Time now) {
-  control_.stop(now);
+  control_.stop(false, now);
+}
+
+void RoverDevice::stop_in_emergency(Time now) {
+  control_.stop(true, now);
+}
+
+void RoverDevice::engage(Time /*now*/) {
+  control_.engage();
 }
 
 }  // namespace mlab::mavlink

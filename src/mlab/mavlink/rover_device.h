@@ -20,7 +20,8 @@ inline constexpr std::chrono::milliseconds kSilentAfter{2500};
 /// Those of a rover of which nothing else is said.
 inline vehicle::Limits rover_limits() {
   vehicle::Limits out;
-  out.standstill = 2.0;
+  out.kinematics.drive = binding::Drive::kDifferential;
+  out.standstill = 2.5;
   return out;
 }
 
@@ -61,6 +62,8 @@ class RoverDevice final : public vehicle::Device {
   const vehicle::Report& report(Time now) override;
   void drive(const vehicle::Command& command, Time now) override;
   void stop(Time now) override;
+  void stop_in_emergency(Time now) override;
+  void engage(Time now) override;
 
   /// Its parameters that matter, and what they have to be; for a check before a mission.
   std::vector<ParameterCheck> parameters() const { return parameters_.checks(); }

@@ -44,6 +44,7 @@ TEST(RoverDevice, TellsWhatIsMissingBeforeItIsDriven) {
   EXPECT_TRUE(pair.why().starts_with("has not told its parameter")) << pair.why();
   pair.pass(2.0);
   EXPECT_EQ(pair.why(), "is not armed");
+  EXPECT_EQ(pair.report().readiness, Readiness::kStandby) << "to be driven makes it ready";
   EXPECT_FALSE(pair.rover.is_armed) << "it is armed only where it is to drive";
   EXPECT_EQ(pair.rover.mode, Mode::kManual);
 }
@@ -200,13 +201,35 @@ TEST(RoverDevice, DoesNotFightWhoTakesItAway) {
   pair.drive(5.0, {1.0, 0.0});
   EXPECT_EQ(pair.rover.mode, Mode::kRtl);
   EXPECT_EQ(pair.why(),
-            "was put into mode RTL by itself or by somebody else; stop, then drive, to take it back");
-  for (const CommandLong& one : pair.rover.commands) EXPECT_EQ(one.command, kSetMessageInterval);
+            "was put into mode RTL by itself or by somebody else; Replace in the console takes it back");
+  EXPECT_EQ(pair.report().readiness, Readiness::kTaken);
   pair.device->stop(pair.now);
   pair.pass(1.0);
-  EXPECT_EQ(pair.rover.mode, Mode::kHold);
+  for (const CommandLong& one : pair.rover.commands) EXPECT_EQ(one.command, kSetMessageInterval);
+  EXPECT_EQ(pair.rover.mode, Mode::kRtl) << "a routine stop takes nothing from anybody";
+  pair.device->engage(pair.now);
   pair.drive(2.0, {1.0, 0.0});
   EXPECT_NEAR(pair.rover.speed, 1.0, 1e-6);
+}
+
+TEST(RoverDevice, StopsWhoeverHasItInAnEmergency) {
+  for (const Mode mode : {Mode::kManual, Mode::kAuto}) {
+    Pair pair(quick());
+    pair.pass(2.0);
+    pair.drive(2.0, {1.0, 0.0});
+    pair.rover.mode = mode;
+    pair.drive(1.0, {1.0, 0.0});
+    EXPECT_EQ(pair.report().readiness, Readiness::kTaken);
+    pair.pass(1.0, [&] { pair.device->stop_in_emergency(pair.now); });
+    EXPECT_EQ(pair.rover.mode, Mode::kHold);
+    pair.rover.mode = mode;
+    pair.pass(1.0, [&] { pair.device->stop_in_emergency(pair.now); });
+    EXPECT_EQ(pair.rover.mode, Mode::kHold) << "nobody gets it away from there";
+    pair.pass(0.5, [&] { pair.device->stop(pair.now); });
+    pair.rover.mode = mode;
+    pair.pass(1.0, [&] { pair.device->stop(pair.now); });
+    EXPECT_EQ(pair.rover.mode, mode) << "the emergency is over";
+  }
 }
 
 TEST(RoverDevice, DoesNotArmAgainWhatWasDisarmed) {
@@ -217,6 +240,9 @@ TEST(RoverDevice, DoesNotArmAgainWhatWasDisarmed) {
   pair.drive(3.0, {1.0, 0.0});
   EXPECT_FALSE(pair.rover.is_armed);
   EXPECT_TRUE(pair.why().starts_with("was disarmed")) << pair.why();
+  pair.device->engage(pair.now);
+  pair.drive(3.0, {1.0, 0.0});
+  EXPECT_TRUE(pair.rover.is_armed) << "a person wants it driven anew";
 }
 
 TEST(RoverDevice, LeavesAPilotAlone) {
@@ -229,8 +255,10 @@ TEST(RoverDevice, LeavesAPilotAlone) {
   pair.drive(2.0, {1.0, 0.0});
   pair.device->stop(pair.now);
   pair.pass(2.0);
+  pair.device->engage(pair.now);
   pair.drive(2.0, {1.0, 0.0});
   EXPECT_EQ(pair.rover.mode, Mode::kManual);
+  EXPECT_EQ(pair.report().readiness, Readiness::kTaken);
   EXPECT_EQ(pair.why(), "is armed and in mode MANUAL: a pilot steers it");
 }
 

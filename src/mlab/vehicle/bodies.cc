@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/vehicle/earth.h"
 #include "mlab/vehicle/messages.h"
 
 namespace mlab::vehicle {
@@ -17,6 +18,7 @@ using binding::BodyIndex;
 
 constexpr double kSilencePatience = 5.0;  // [s]
 constexpr double kReadyPatience = 10.0;   // [s]
+constexpr double kFixPatience = 2.0;      // that it has not said where on the Earth it is [s]
 constexpr double kMovedBy = 0.5;          // from where the mission has it start, that is told [m]
 
 // Where something stands that stands there in the frame.
@@ -48,8 +50,9 @@ std::string why_not_ready(const Report& report) {
 
 }  // namespace
 
-Bodies::Bodies(std::unique_ptr<binding::Binding> others, std::vector<Crewed> vehicles, std::uint64_t session)
-    : others_(std::move(others)), session_(session) {
+Bodies::Bodies(std::unique_ptr<binding::Binding> others, std::vector<Crewed> vehicles, std::uint64_t session,
+               const std::optional<geography::Projection>& map)
+    : others_(std::move(others)), session_(session), map_(map) {
   for (Crewed& one : vehicles) {
     vehicles_.push_back(std::make_unique<Vehicle>());
     vehicles_.back()->crewed = std::move(one);
@@ -84,7 +87,7 @@ std::expected<binding::Placement, std::string> Bodies::embody(const binding::Bod
   if (!state.motion || !state.report.motion)
     return std::unexpected(fmt::format("its vehicle `{}` does not say where it is: it {}", setup.vehicle,
                                        why_not_ready(state.report)));
-  state.frame = state.report.is_global ? geom::Pose{} : frame_with(state.motion->pose, setup.pose);
+  if (!knows_its_place(state)) state.frame = frame_with(state.motion->pose, setup.pose);
   binding::BodySetup out = setup;
   out.vehicle.clear();
   out.pose = pose_of(state);
@@ -196,16 +199,34 @@ void Bodies::take(const binding::Heard& heard) {
   take(*vehicle, *report);
 }
 
-void Bodies::take(Vehicle& vehicle, const Report& report) {
+// Where its odometry begins is known by where one point of it is on the Earth, and by where north is there.
+void Bodies::fix(State& state) const {
+  Report& report = state.report;
+  if (report.is_global) {
+    state.frame = {};
+    state.fixed_at.reset();
+  } else if (report.fix && map_) {
+    const geom::Point there = map_->to_world(report.fix->place);
+    const double turned = north_at(*map_, report.fix->place) - report.fix->north;
+    state.frame = frame_with({report.fix->point, 0.0}, {there, turned});
+    state.fixed_at = now();
+  } else if (state.fixed_at && seconds_between(*state.fixed_at, now()) > kFixPatience) {
+    report.motion.reset();  // it may count from elsewhere by now
+  }
+}
+
+void Bodies::take(Vehicle& vehicle, Report said) {
   State& state = vehicle.now;
-  state.report = report;
+  state.report = std::move(said);
   state.heard = now();
+  fix(state);
+  const Report& report = state.report;
   if (!report.motion) return;
   state.motion = report.motion;
   state.ranges.clear();
   state.range_limit = 0.0;
   for (const Scan& scan : report.scans) {
-    state.map.add(scan, report.motion->pose);
+    state.map.add(scan, scan.pose.value_or(report.motion->pose));
     state.range_limit = std::max(state.range_limit, scan.farthest);
     // Beams of a sensor that stands on the edge of the body, as most do, begin there.
     const double inside = vehicle.crewed.limits.radius - geom::length(scan.mount.position - geom::Point{});
@@ -302,7 +323,7 @@ void Bodies::carry_out(std::span<const percept::Action> actions, double dt) {
     command(*one, action, dt);
     for (std::uint8_t i = 0; i < action.request_count; ++i) {
       const percept::Request& request = action.requests[i];
-      if (request.kind == percept::Request::Kind::kLocalize && !state.report.is_global)
+      if (request.kind == percept::Request::Kind::kLocalize && !knows_its_place(state))
         state.frame = frame_with(state.motion->pose, {request.place, base::wrap_angle(request.heading)});
     }
     action = {};
@@ -319,7 +340,7 @@ std::vector<std::optional<geom::Pose>> Bodies::places_for(std::span<const bindin
     const Vehicle* const vehicle = of(setups[i].vehicle);
     if (vehicle == nullptr) continue;
     const State& state = vehicle->now;
-    out[i] = state.motion && state.report.is_global ? state.motion->pose : setups[i].pose;
+    out[i] = state.motion && knows_its_place(state) ? pose_of(state) : setups[i].pose;
   }
   return out;
 }
@@ -380,7 +401,8 @@ std::vector<std::string> Bodies::vehicles() const {
 }
 
 std::unique_ptr<binding::Binding> recorded_bodies(std::unique_ptr<binding::Binding> others,
-                                                  const std::vector<std::string>& vehicles) {
+                                                  const std::vector<std::string>& vehicles,
+                                                  const std::optional<geography::Projection>& map) {
   std::vector<Crewed> crewed;
   std::uint64_t session = 1;
   wire::RecordedVehicle told;
@@ -391,7 +413,7 @@ std::unique_ptr<binding::Binding> recorded_bodies(std::unique_ptr<binding::Bindi
     crewed.push_back({told.name(), *limits, nullptr});
     session = told.session();
   }
-  return std::make_unique<Bodies>(std::move(others), std::move(crewed), session);
+  return std::make_unique<Bodies>(std::move(others), std::move(crewed), session, map);
 }
 
 std::set<std::string, std::less<>> recorded_names(const std::vector<std::string>& vehicles) {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "mlab/binding/binding.h"
+#include "mlab/geography/projection.h"
+#include "mlab/overlay/overlay.h"
 #include "mlab/vehicle/device.h"
 #include "mlab/vehicle/line.h"
 #include "mlab/vehicle/local_map.h"
@@ -35,7 +37,10 @@ struct Crewed {
 class Bodies final : public binding::Binding, private binding::WorldView {
  public:
   /// @param session  names this run to vehicles, not 0
-  Bodies(std::unique_ptr<binding::Binding> others, std::vector<Crewed> vehicles, std::uint64_t session);
+  /// @param map      how the world lies on the Earth: vehicles that know where on the Earth they are, and not
+  ///                 where in the world, are where that is on the map
+  Bodies(std::unique_ptr<binding::Binding> others, std::vector<Crewed> vehicles, std::uint64_t session,
+         const std::optional<geography::Projection>& map = {});
   ~Bodies() override;
 
   std::expected<binding::Placement, std::string> embody(const binding::BodySetup& setup) override;
@@ -60,6 +65,7 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   bool restore(const Kept& kept) override;
   std::vector<std::optional<geom::Pose>> places_for(std::span<const binding::BodySetup> setups) override;
   binding::MapChange change_map(const overlay::Overlay& before, const overlay::Overlay& after) override {
+    map_ = after.projection;
     return others_->change_map(before, after);
   }
   std::vector<base::RobotId> change_obstacles(std::span<const binding::Disc> gone,
@@ -78,6 +84,8 @@ class Bodies final : public binding::Binding, private binding::WorldView {
     std::optional<Motion> motion;
     binding::BodyIndex body = binding::kNoBody;
     geom::Pose frame;  // of its odometry, in the world
+    /// When it said last where on the Earth that frame is; nothing: it never has.
+    std::optional<Clock::time_point> fixed_at;
     LocalMap map;
     std::vector<percept::RangeReading> ranges;
     double range_limit = 0.0;
@@ -105,8 +113,10 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   Vehicle* of(binding::BodyIndex body) const;
   Vehicle* of(std::string_view name) const;
   Clock::time_point now() const;
-  void take(Vehicle& vehicle, const Report& report);
+  void take(Vehicle& vehicle, Report report);
+  void fix(State& state) const;
   void put(const State& state);
+  static bool knows_its_place(const State& state) { return state.report.is_global || state.fixed_at; }
   static geom::Pose pose_of(const State& state);
   static void sense_with(State& state, const percept::Needs& needs, percept::Percepts& out);
   /// What it would know of if it stood elsewhere, by what it has seen from where it was.
@@ -119,13 +129,15 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   std::vector<std::unique_ptr<Vehicle>> vehicles_;
   std::vector<Vehicle*> by_body_;  // null: a body of the others
   std::uint64_t session_;
+  std::optional<geography::Projection> map_;
   std::vector<percept::Action> actions_;  // by body
 };
 
 /// The vehicles of a recorded run, as `Bodies::vehicles` tells of them; what they said comes by `take`. Of
 /// bytes that are none nothing is made.
 std::unique_ptr<binding::Binding> recorded_bodies(std::unique_ptr<binding::Binding> others,
-                                                  const std::vector<std::string>& vehicles);
+                                                  const std::vector<std::string>& vehicles,
+                                                  const std::optional<geography::Projection>& map = {});
 std::set<std::string, std::less<>> recorded_names(const std::vector<std::string>& vehicles);
 
 }  // namespace mlab::vehicle

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mlab/binding/body.h"
+#include "mlab/geography/geo_point.h"
 #include "mlab/geom/pose.h"
 
 namespace mlab::vehicle {
@@ -56,6 +57,16 @@ struct Scan {
   /// known.
   std::vector<float> distances;
   Clock::time_point at;
+  /// Where the vehicle was then, in the frame of its motions; nothing: devices need not know.
+  std::optional<geom::Pose> pose = {};
+};
+
+/// A point in the frame of its motions of which it knows where on the Earth it is.
+struct Fix {
+  geography::GeoPoint place;
+  geom::Point point;   ///< [m]
+  double north = 0.0;  ///< where true north is there, counter-clockwise from the frame's x [rad]
+  Clock::time_point at;
 };
 
 /// Of its battery.
@@ -69,10 +80,14 @@ struct Battery {
 enum class Readiness : std::uint8_t {
   kAbsent,    ///< its device is not there, or can't be opened
   kSilent,    ///< nothing has been heard of it for too long
-  kNotReady,  ///< it is there, and would not move: not armed, in another mode, its own failsafe acts
+  kNotReady,  ///< it is there, and would not move whatever it is told: its own failsafe acts, it lacks
+              ///< something
   kReady,
-  kFaulty,  ///< it says that something of it does not work
+  kFaulty,   ///< it says that something of it does not work
+  kStandby,  ///< it would not move yet; `drive` makes it ready: arms it, changes its mode
+  kTaken,    ///< somebody else has it: a pilot, another ground station, who pressed its own emergency stop
 };
+inline constexpr Readiness kLastReadiness = Readiness::kTaken;  // their numbers stand in recordings
 
 /// What is known of a vehicle at a moment. Only what it said; nothing is made up, and what it has not said
 /// for too long is not there any more.
@@ -81,6 +96,7 @@ struct Report {
   std::string why;               ///< it is not ready, as a sentence without its subject: `is not armed`
   std::optional<Motion> motion;  ///< the newest
   bool is_global = false;        ///< its pose is in the world's frame; else it begins anywhere, and drifts
+  std::optional<Fix> fix;        ///< the newest
   std::vector<Scan> scans;       ///< the newest of each sensor, by its number
   std::optional<Battery> battery;
 };
@@ -106,12 +122,18 @@ class Device {
   virtual const Report& report(Clock::time_point now) = 0;
   /// What happened since this was called last, for people at the vehicle, the oldest first, a line each.
   virtual std::vector<std::string> take_news() { return {}; }
-  /// Tells it what to do, cut to its limits. Has no effect where it is not ready; it may make it ready (arm
-  /// it, change its mode), over several calls.
+  /// Tells it what to do, cut to its limits. Has no effect where it is not ready; one in `kStandby` it makes
+  /// ready (arms it, changes its mode), over several calls. Nothing is taken from who has taken it.
   /// @param command  what is no number counts as `stop`
   virtual void drive(const Command& command, Clock::time_point now) = 0;
-  /// As fast as it can, and from now on until `drive`; told until it is seen to stand.
+  /// As fast as it can, and from now on until `drive`; told until it is seen to stand. One in `kTaken` is not
+  /// told: that would take it from a pilot.
   virtual void stop(Clock::time_point now) = 0;
+  /// The same, whoever has taken it. What nobody can take does that by `stop`.
+  virtual void stop_in_emergency(Clock::time_point now) { stop(now); }
+  /// A person has it driven anew, though somebody has taken it: it may be taken back by `drive`, but from a
+  /// pilot who steers it still.
+  virtual void engage(Clock::time_point /*now*/) {}
 };
 
 }  // namespace mlab::vehicle

@@ -116,7 +116,29 @@ std::optional<Scan> decode(const wire::VehicleScan& message, Clock::time_point a
     if (distance < 0.0F) return std::nullopt;
   }
   out.at = before(arrived, message.age());
+  if (message.has_pose()) {
+    out.pose = decode(message.pose());
+    if (!out.pose) return std::nullopt;
+  }
   return out;
+}
+
+void encode(const Fix& fix, Clock::time_point now, wire::VehicleFix& out) {
+  out.set_latitude_deg(fix.place.latitude_deg);
+  out.set_longitude_deg(fix.place.longitude_deg);
+  out.set_x(fix.point.x);
+  out.set_y(fix.point.y);
+  out.set_north(fix.north);
+  out.set_age(age_of(fix.at, now));
+}
+
+std::optional<Fix> decode(const wire::VehicleFix& message, Clock::time_point arrived) {
+  const geography::GeoPoint place{message.latitude_deg(), message.longitude_deg()};
+  if (!geography::is_between_the_caps(place) || !is_within(place.longitude_deg, 180.0) ||
+      !is_within(message.x(), kFarthest) || !is_within(message.y(), kFarthest) ||
+      !is_within(message.north(), 1e3) || !is_age(message.age()))
+    return std::nullopt;
+  return Fix{place, {message.x(), message.y()}, message.north(), before(arrived, message.age())};
 }
 
 }  // namespace
@@ -167,7 +189,9 @@ void encode(const Report& report, Clock::time_point now, wire::VehicleReport& ou
     told.set_farthest(scan.farthest);
     told.mutable_distances()->Add(scan.distances.begin(), scan.distances.end());
     told.set_age(age_of(scan.at, now));
+    if (scan.pose) encode(*scan.pose, *told.mutable_pose());
   }
+  if (report.fix) encode(*report.fix, now, *out.mutable_fix());
   if (!report.battery) return;
   wire::VehicleBattery& battery = *out.mutable_battery();
   battery.set_share(report.battery->share);
@@ -176,7 +200,7 @@ void encode(const Report& report, Clock::time_point now, wire::VehicleReport& ou
 }
 
 std::expected<Report, std::string> decode(const wire::VehicleReport& message, Clock::time_point arrived) {
-  constexpr auto kLast = static_cast<std::uint32_t>(Readiness::kFaulty);
+  constexpr auto kLast = static_cast<std::uint32_t>(kLastReadiness);
   Report out;
   if (message.readiness() > kLast)
     return std::unexpected(fmt::format("readiness is {}, expected 0 to {}", message.readiness(), kLast));
@@ -186,6 +210,10 @@ std::expected<Report, std::string> decode(const wire::VehicleReport& message, Cl
   if (message.has_motion()) {
     out.motion = decode(message.motion(), arrived);
     if (!out.motion) return std::unexpected("its motion is none");
+  }
+  if (message.has_fix()) {
+    out.fix = decode(message.fix(), arrived);
+    if (!out.fix) return std::unexpected("its place on the Earth is none");
   }
   if (message.scans_size() > kMostScans)
     return std::unexpected(

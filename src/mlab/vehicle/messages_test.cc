@@ -24,7 +24,9 @@ Report full_report() {
   scan.farthest = 8.0;
   scan.distances = {1.0F, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()};
   scan.at = kNow;
+  scan.pose = geom::Pose{{2.9, -4.0}, 0.4};
   out.scans.push_back(scan);
+  out.fix = Fix{{48.2082, 16.3738}, {1.0, 2.0}, 1.5, kNow};
   out.battery = Battery{0.5, 12.5, kNow};
   return out;
 }
@@ -46,6 +48,11 @@ TEST(VehicleMessages, ArriveAsTheyWereSent) {
   EXPECT_EQ(arrived->scans[0].distances[0], 1.0F);
   EXPECT_TRUE(std::isinf(arrived->scans[0].distances[1]));
   EXPECT_TRUE(std::isnan(arrived->scans[0].distances[2]));
+  EXPECT_EQ(arrived->scans[0].pose, full_report().scans[0].pose);
+  ASSERT_TRUE(arrived->fix);
+  EXPECT_EQ(arrived->fix->place, full_report().fix->place);
+  EXPECT_EQ(arrived->fix->point, full_report().fix->point);
+  EXPECT_EQ(arrived->fix->north, 1.5);
   EXPECT_EQ(arrived->battery->share, 0.5);
 }
 
@@ -59,12 +66,15 @@ TEST(VehicleMessages, AreRefusedWhereSomethingIsNoNumberOrBeyondAllBounds) {
   wire::VehicleReport behind = message();
   behind.mutable_scans(0)->set_distances(0, -1.0F);
   EXPECT_EQ(decode(behind, kNow).error(), "scan of sensor 3 is none");
+  wire::VehicleReport polar = message();
+  polar.mutable_fix()->set_latitude_deg(89.0);
+  EXPECT_EQ(decode(polar, kNow).error(), "its place on the Earth is none");
   wire::VehicleReport charged = message();
   charged.mutable_battery()->set_share(1.5);
   EXPECT_FALSE(decode(charged, kNow));
   wire::VehicleReport unknown = message();
   unknown.set_readiness(9);
-  EXPECT_EQ(decode(unknown, kNow).error(), "readiness is 9, expected 0 to 4");
+  EXPECT_EQ(decode(unknown, kNow).error(), "readiness is 9, expected 0 to 6");
 }
 
 TEST(VehicleMessages, LimitsAreCheckedByName) {

@@ -9,6 +9,7 @@
 
 #include "mlab/vehicle.pb.h"
 #include "mlab/vehicle/device.h"
+#include "mlab/vehicle/pose_history.h"
 
 namespace mlab::vehicle {
 
@@ -18,9 +19,9 @@ inline constexpr double kCommandPatience = 0.5;
 inline constexpr double kSessionPatience = 2.0;
 
 /// The side of a vehicle's process: lets one run at a time drive a device, as long as its commands are live.
-/// A vehicle that is not ready any more though it was driven, and was heard all the time, has been taken by
-/// somebody (a pilot, its own failsafe): it is left to him, but for the emergency stop, until a robot gets it
-/// as its body anew. It knows nothing of what carries messages, nor what time it is.
+/// A vehicle that somebody has taken (a pilot, another ground station) is left to him, but for the emergency
+/// stop; one that was taken while it was driven also when he lets go of it, until a robot gets it as its body
+/// anew. It knows nothing of what carries messages, nor what time it is.
 class Server {
  public:
   /// @param device      outlives this
@@ -47,7 +48,8 @@ class Server {
   /// known any more.
   double age_of(std::uint64_t report, Clock::time_point now) const;
   std::string why_it_stands(Readiness readiness, Clock::time_point now) const;
-  bool is_left_alone(Clock::time_point now) const;
+  bool is_left_alone(Readiness readiness, Clock::time_point now) const;
+  void notice_taking(Readiness readiness);
   void stand(std::string why, Clock::time_point now);
   void drive(Readiness readiness, Clock::time_point now);
 
@@ -64,8 +66,10 @@ class Server {
   std::string standing_;
   std::pair<std::uint64_t, std::uint32_t> engaged_by_;  // session and engagement of the newest command
   bool was_ready_ = false;                   // when it was driven last, and was not told to stop since
+  bool has_driven_ = false;                  // under that engagement, while it was ready
   bool is_taken_ = false;                    // somebody else has taken it since; it is left to him
   std::optional<Clock::time_point> driven_;  // last
+  PoseHistory poses_;
   wire::VehicleReport message_;
 };
 

@@ -24,10 +24,15 @@ class Told final : public Device {
   void work(Clock::time_point /*now*/) override {}
   const Report& report(Clock::time_point /*now*/) override { return report_; }
   void drive(const Command& command, Clock::time_point /*now*/) override { command_ = command; }
-  void stop(Clock::time_point /*now*/) override { command_ = {}; }
+  void stop(Clock::time_point /*now*/) override {
+    if (report_.readiness != Readiness::kTaken) command_ = {};
+  }
+  void stop_in_emergency(Clock::time_point /*now*/) override { command_ = {}; }
+  void engage(Clock::time_point /*now*/) override { ++engaged_; }
 
   Report report_;
   Command command_;
+  int engaged_ = 0;
 
  private:
   std::string name_ = "told";
@@ -40,6 +45,7 @@ class ServerTest : public testing::Test {
     wire::VehicleReport out;
     EXPECT_TRUE(out.ParseFromString(server_.report(now_)));
     held_by_ = out.held_by();
+    told_ = static_cast<Readiness>(out.readiness());
     return out.number();
   }
   wire::VehicleCommand command(std::uint64_t answers, double speed = 1.0) {
@@ -67,6 +73,7 @@ class ServerTest : public testing::Test {
   Clock::time_point now_{std::chrono::seconds(100)};
   std::uint64_t number_ = 0;
   std::uint64_t held_by_ = 0;
+  Readiness told_ = Readiness::kAbsent;
 };
 
 TEST_F(ServerTest, DrivesByLiveCommandsAndStandsWhenTheyAreOver) {
@@ -84,6 +91,26 @@ TEST_F(ServerTest, CarriesNothingOutThatAnswersWhatIsLongPast) {
   EXPECT_EQ(speed_after(milliseconds(1)), 0.0) << "it was on its way for too long";
   hear(command(1'000'000));
   EXPECT_EQ(speed_after(milliseconds(1)), 0.0) << "there was no such report";
+}
+
+TEST_F(ServerTest, CarriesNothingOutThatAnsweredTheProcessBefore) {
+  const std::uint64_t of_before = report();
+  for (const int ahead : {-1, 1, 40}) {
+    Server anew(device_, [] { return false; });
+    now_ += milliseconds(500);
+    wire::VehicleReport first;
+    ASSERT_TRUE(first.ParseFromString(anew.report(now_)));
+    EXPECT_GT(first.number(), of_before + 40);
+    // It answers what will be said only later, or what the other process said.
+    const std::uint64_t answers = ahead < 0 ? of_before : first.number() + static_cast<std::uint64_t>(ahead);
+    anew.hear("run", command(answers).SerializeAsString(), now_);
+    for (int i = 0; i < 60; ++i) {
+      now_ += milliseconds(50);
+      anew.report(now_);
+      anew.work(now_);
+      EXPECT_EQ(device_.command_.speed, 0.0);
+    }
+  }
 }
 
 TEST_F(ServerTest, TakesNoOlderCommandForANewerOne) {
@@ -172,8 +199,8 @@ TEST_F(ServerTest, LeavesAVehicleToWhoTookIt) {
     return speed_after(milliseconds(20));
   };
   EXPECT_EQ(go(), 1.0);
-  device_.report_.readiness = Readiness::kNotReady;  // a pilot has changed its mode
-  device_.command_ = {0.3, 0.0};                     // and drives
+  device_.report_.readiness = Readiness::kTaken;  // a pilot has changed its mode
+  device_.command_ = {0.3, 0.0};                  // and drives
   EXPECT_EQ(go(), 0.3);
   EXPECT_EQ(server_.standing(), "somebody else has taken it");
   EXPECT_EQ(speed_after(milliseconds(700)), 0.3) << "it is not stopped either";
@@ -187,11 +214,49 @@ TEST_F(ServerTest, LeavesAVehicleToWhoTookIt) {
   server_.work(now_);
   EXPECT_FALSE(server_.is_driven());
   EXPECT_EQ(go(), 0.3);
+  // Nor is it that he has let go of it.
+  device_.report_.readiness = Readiness::kReady;
+  EXPECT_EQ(go(), 0.3);
+  report();
+  EXPECT_EQ(told_, Readiness::kTaken) << "it would not do what its robot wants";
   // A person has the robot take it again.
+  const int before = device_.engaged_;
   wire::VehicleCommand anew = command(report());
   anew.set_engagement(1);
   hear(anew);
   EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  EXPECT_EQ(device_.engaged_, before + 1);
+}
+
+TEST_F(ServerTest, WaitsForWhoHadTheVehicleBefore) {
+  device_.report_.readiness = Readiness::kTaken;
+  device_.command_ = {0.3, 0.0};
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.3);
+  EXPECT_EQ(speed_after(milliseconds(600)), 0.3) << "a routine stop does not take it from him";
+  device_.report_.readiness = Readiness::kStandby;
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0) << "it was not taken from its robot";
+}
+
+TEST_F(ServerTest, TakesAVehicleForTakenThatWasMadeUnready) {
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  device_.report_.readiness = Readiness::kStandby;  // somebody has disarmed it
+  device_.command_ = {};
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.0);
+  EXPECT_EQ(server_.standing(), "somebody else has taken it");
+}
+
+TEST_F(ServerTest, GoesOnWithAVehicleThatHadTroubleOfItsOwn) {
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  device_.report_.readiness = Readiness::kNotReady;  // it does not know where it is, for a moment
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  device_.report_.readiness = Readiness::kReady;
+  hear(command(report(), 0.5));
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.5);
 }
 
 TEST_F(ServerTest, GoesOnWithAVehicleThatWasSilent) {

@@ -30,8 +30,10 @@ constexpr std::chrono::milliseconds kReporting(50);
 constexpr std::chrono::milliseconds kParting(200);  // in which the device is told to stop
 
 std::string_view word(vehicle::Readiness readiness) {
-  constexpr std::array<std::string_view, 5> kWords = {"has no device", "is silent", "is not ready",
-                                                      "is ready", "is faulty"};
+  constexpr std::array<std::string_view, 7> kWords = {"has no device", "is silent", "is not ready",
+                                                      "is ready",      "is faulty", "waits to be driven",
+                                                      "is taken"};
+  static_assert(kWords.size() == static_cast<std::size_t>(vehicle::kLastReadiness) + 1);
   return kWords[static_cast<std::size_t>(readiness)];
 }
 

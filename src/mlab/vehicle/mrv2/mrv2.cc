@@ -254,7 +254,7 @@ std::pair<Readiness, std::string> Mrv2Device::readiness(Clock::time_point now) c
             fmt::format("brakes with {} m/s^2; expected are at least {} m/s^2", identity_->max_acceleration,
                         limits_.kinematics.max_acceleration)};
   if ((flags_ & State::kMotorFault) != 0) return {Readiness::kFaulty, "says that a motor has failed"};
-  if ((flags_ & State::kStopPressed) != 0) return {Readiness::kNotReady, "has its emergency stop pressed"};
+  if ((flags_ & State::kStopPressed) != 0) return {Readiness::kTaken, "has its emergency stop pressed"};
   return {Readiness::kReady, ""};
 }
 

@@ -30,7 +30,8 @@ class Conformance : public testing::TestWithParam<RigKind> {
   /// Lets time go by; commands are given ten times a second.
   /// @param seconds  at least
   void go(double seconds, const std::optional<Command>& command, Care care = Care::kWork);
-  /// Until it is ready, at most for `ready_within`. A test fails where it is not.
+  /// Until it is ready, at most for `ready_within`; where it has to be driven for that, it is told to stand.
+  /// A test fails where it is not.
   void wait_until_ready();
   /// Drives until it is at least as fast, for some seconds at most; a test fails where it is not.
   void get_moving(const Command& command);
@@ -64,7 +65,8 @@ class Conformance : public testing::TestWithParam<RigKind> {
   /// Nothing is told of a vehicle that nothing has come from for too long.
   void check_silence(const Report& report) const;
   void check_motion(const Motion& motion, bool is_global);
-  void check_stamp(const std::string& what, Clock::time_point at) const;
+  /// @param lasts  how old it may be, where that is more than `Facts::silent_after` [s]
+  void check_stamp(const std::string& what, Clock::time_point at, double lasts = 0.0) const;
   void check_scan(const Scan& scan) const;
   /// Whether the vehicle once was where this says, in the time that the stamp means.
   bool was_so(const Motion& motion) const;

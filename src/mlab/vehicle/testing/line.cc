@@ -54,14 +54,20 @@ std::unique_ptr<Stream> TestLine::device_end() {
   return std::make_unique<DeviceEnd>(*this);
 }
 
+Clock::duration TestLine::time_of(std::size_t bytes) const {
+  return kind_ == Kind::kSerial ? kByte * bytes : Clock::duration{0};
+}
+
 void TestLine::put(Way& way, std::string_view bytes, Clock::time_point now) {
   if (is_cut()) return;
   while (!bytes.empty()) {
-    const std::size_t length = std::min<std::size_t>(bytes.size(), 1 + random_.below(kLongestPiece));
+    const std::size_t piece = 1 + random_.below(kLongestPiece);
+    const std::size_t length =
+        kind_ == Kind::kSerial ? std::min<std::size_t>(bytes.size(), piece) : bytes.size();
     const Clock::time_point behind = way.empty() ? now : way.back().arrives;
     if (random_.uniform() >= impairment_.loss)
-      way.push_back(
-          {std::max(now + impairment_.delay, behind) + kByte * length, std::string(bytes.substr(0, length))});
+      way.push_back({std::max(now + impairment_.delay, behind) + time_of(length),
+                     std::string(bytes.substr(0, length))});
     bytes.remove_prefix(length);
   }
 }
@@ -71,7 +77,7 @@ void TestLine::release(Clock::time_point now) {
   for (Way* const way : {&to_vehicle_, &to_device_}) {
     Clock::time_point free = now;
     for (Piece& piece : *way) {
-      free += kByte * piece.bytes.size();
+      free += time_of(piece.bytes.size());
       piece.arrives = std::max(piece.arrives, free);
     }
   }

@@ -14,12 +14,13 @@
 
 namespace mlab::vehicle {
 
-/// A serial line of 57,600 bit/s on the clock of a test. Pieces of 1 to 64 bytes of what is said over it are
-/// lost, and all that arrives arrives later; it can be cut, and be opened again half a second after it was
-/// mended. What was under way when it was cut is lost.
+/// A line on the clock of a test: a serial one of 57,600 bit/s, of which pieces of 1 to 64 bytes are lost, or
+/// one that carries datagrams, at once and whole or not at all. All that arrives arrives later; it can be
+/// cut, and be opened again half a second after it was mended. What was under way when it was cut is lost.
 class TestLine {
  public:
-  explicit TestLine(std::uint64_t seed) : random_(seed) {}
+  enum class Kind { kSerial, kDatagrams };
+  explicit TestLine(std::uint64_t seed, Kind kind = Kind::kSerial) : random_(seed), kind_(kind) {}
 
   /// The device's end. Refers to the line, which has to outlive it.
   std::unique_ptr<Stream> device_end();
@@ -46,7 +47,10 @@ class TestLine {
   void put(Way& way, std::string_view bytes, Clock::time_point now);
   std::string take(Way& way, Clock::time_point now) const;
 
+  Clock::duration time_of(std::size_t bytes) const;
+
   base::Random random_;
+  Kind kind_;
   Impairment impairment_;
   State state_ = State::kWhole;
   Clock::time_point mended_at_;

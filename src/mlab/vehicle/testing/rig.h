@@ -36,10 +36,11 @@ struct Impairment {
 /// What the suite has to know of a kind of device to try it. The numbers are promises to its users: they
 /// stand on its page.
 struct Facts {
-  double silent_after = 1.0;  ///< of what was said longer ago it reports nothing [s]
-  double ready_within = 5.0;  ///< once its vehicle can be reached over a line without losses [s]
-  double stops_within = 1.0;  ///< from full speed, once it is told over a line that works [s]
-  double pose_error = 0.02;   ///< of a reported place against the true one; encoders of rigs don't drift [m]
+  double silent_after = 1.0;   ///< of what was said longer ago it reports nothing [s]
+  double battery_lasts = 0.0;  ///< the same of its battery, where that is longer [s]
+  double ready_within = 5.0;   ///< once its vehicle can be reached over a line without losses [s]
+  double stops_within = 1.0;   ///< from full speed, once it is told over a line that works [s]
+  double pose_error = 0.02;    ///< of a reported place against the true one; encoders of rigs don't drift [m]
   double heading_error = 0.02;  ///< [rad]
   double speed_error = 0.02;    ///< [m/s]
   double turn_error = 0.05;     ///< [rad/s]
@@ -47,7 +48,10 @@ struct Facts {
   double stamp_error = 0.05;
   double standing_speed = 1e-3;      ///< what is not faster stands [m/s]
   double standing_turn_rate = 1e-3;  ///< [rad/s]
-  bool has_ranges = false;           ///< it reports scans
+  /// Of the way that it is told to make it makes at least this share over a line that loses 20 % and delays
+  /// the rest by 200 ms, each way.
+  double bad_line_share = 0.5;
+  bool has_ranges = false;  ///< it reports scans
   bool has_battery = false;
   /// Its vehicle refuses what it was told too long ago; else a line that holds commands back and lets them go
   /// later moves it once more.
@@ -80,6 +84,10 @@ class Rig {
   /// can.
   virtual void hold_back() = 0;
   virtual void release() = 0;
+  /// Somebody else takes the vehicle, a pilot by remote control, say, and has it go on moving until an
+  /// emergency stop.
+  /// @return  false: nobody can
+  virtual bool take() { return false; }
 };
 
 /// A kind of device, as the suite is instantiated with.
