@@ -20,6 +20,7 @@ inline constexpr std::chrono::milliseconds kSilentAfter{2500};
 /// Those of a rover of which nothing else is said.
 inline vehicle::Limits rover_limits() {
   vehicle::Limits out;
+  out.kinematics.drive = binding::Drive::kDifferential;
   out.standstill = 2.0;
   return out;
 }
