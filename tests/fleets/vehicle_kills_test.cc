@@ -154,7 +154,7 @@ class VehicleKills : public Fleets {
   void try_out(const Blow& strike) {
     start_robots();
     if (HasFatalFailure()) return;
-    Process far = run(base::source_folder() + "/tests/fleets/vehicles/away.mdl", {"--real-time"});
+    Process far = run(base::source_folder() + "/tests/fleets/vehicles/away.mdl", kMovingVehicles);
     for (Vehicle& one : vehicles_)
       ASSERT_TRUE(comes_to_be_driven(one, true)) << far.output() << far.errors() << one.robot->output();
     if (strike.waits) {

@@ -1,5 +1,6 @@
 // Three robots in one formation: a ROS 2 robot and a MAVLink rover, both played by implementations that are
-// not ours, and one that is simulated. Headless; tests/browser/vehicles.test.ts does it from the console.
+// not ours, and one that is simulated. Headless; tests/browser/vehicle_patrol.test.ts does it from the
+// console.
 
 #include "vehicle_peers.h"
 
@@ -35,7 +36,9 @@ TEST_F(VehiclePatrol, OfARos2RobotAMavlinkRoverAndASimulatedRobotIsDoneRecordedA
   const VehiclePeer::Moment scout_began = scout->now();
   const VehiclePeer::Moment rover_began = rover->now();
 
-  Process far = run(folder + "patrol.mdl", {"--real-time", "--record", "/tmp/patrol.mcap"});
+  std::vector<std::string> options = kMovingVehicles;
+  options.insert(options.end(), {"--record", "/tmp/patrol.mcap"});
+  Process far = run(folder + "patrol.mdl", options);
   ASSERT_TRUE(far.prints("step 1: unit watch MOVETO Shed (Line) done", kFleetPatience))
       << far.output() << far.errors() << scout_robot.output() << rover_robot.output();
   // What the mission says of them is what they did.

@@ -16,6 +16,9 @@ const packages = join(dirname(command), "..", "vehicle_peers");
 /** Fast DDS and node-mavlink are for tests alone, and not everywhere. */
 export const canPlayVehicles = existsSync(ros2Robot) && existsSync(join(packages, "node_modules"));
 
+/** What a run that moves them is told. */
+export const movingVehicles = ["--real-time"];
+
 /** A program that ends with the test. */
 export class Program {
   private readonly process: ChildProcess;
