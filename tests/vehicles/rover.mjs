@@ -1,10 +1,11 @@
 // A rover that speaks MAVLink 2 as ArduPilot's does, by an implementation of the protocol that is not ours.
 //
-//   node rover.mjs FOLDER PORT SPEED [key=PASSPHRASE] [NAME=VALUE ...]
+//   node rover.mjs FOLDER PORT SPEED [key=PASSPHRASE] [obstacle=METRES] [NAME=VALUE ...]
 //
 // FOLDER has node_modules in it. Sends to PORT of this machine and hears what comes back; its time runs SPEED times as fast as
-// the machine's. NAME=VALUE sets one of its parameters. Says `ready` once it sends. Each line of its standard input is done
-// (`mode NUMBER`, `disarm`, `shift METRES`, nothing) and answered by a line of JSON: what it is doing.
+// the machine's. To its right it sees something all the time, 2.5 m away or as said; 0: nothing. NAME=VALUE sets one of its
+// parameters. Says `ready` once it sends. Each line of its standard input is done (`mode NUMBER`, `disarm`, `shift METRES`,
+// anything else) and answered by a line of JSON: what it was asked, and what it is doing.
 import { createSocket } from "node:dgram";
 import { createRequire } from "node:module";
 import { createInterface } from "node:readline";
@@ -30,9 +31,11 @@ const parameters = {
   FS_CRASH_CHECK: 1,
 };
 let key = null;
+let obstacle = 2.5;
 for (const one of settings) {
   const [name, value] = one.split("=");
   if (name === "key") key = MavLinkPacketSignature.key(value);
+  else if (name === "obstacle") obstacle = Number(value);
   else parameters[name] = Number(value);
 }
 
@@ -151,7 +154,7 @@ const streams = [
   [common.LocalPositionNed, () => ({ timeBootMs: boot(), x: rover.north, y: rover.east, z: 0, vx: rover.speed * Math.cos(rover.yaw), vy: rover.speed * Math.sin(rover.yaw), vz: 0 })],
   [common.GlobalPositionInt, () => ({ timeBootMs: boot(), lat: 490000000, lon: 83000000, alt: 110000, relativeAlt: 0, vx: 0, vy: 0, vz: 0, hdg: 0 })],
   [common.SysStatus, () => ({ onboardControlSensorsPresent: 0x10000000, onboardControlSensorsEnabled: 0x10000000, onboardControlSensorsHealth: 0x10000000, load: 100, voltageBattery: 12600, currentBattery: 100, batteryRemaining: 77 })],
-  [common.ObstacleDistance, () => ({ timeUsec: BigInt(boot()) * 1000n, sensorType: 0, distances: Array.from({ length: 72 }, (_, i) => (i === 18 ? 250 : 1001)), increment: 5, minDistance: 20, maxDistance: 1000, incrementF: 0, angleOffset: 0, frame: 12 })],
+  [common.ObstacleDistance, () => ({ timeUsec: BigInt(boot()) * 1000n, sensorType: 0, distances: Array.from({ length: 72 }, (_, i) => (i === 18 && obstacle > 0 ? obstacle * 100 : 1001)), increment: 5, minDistance: 20, maxDistance: 1000, incrementF: 0, angleOffset: 0, frame: 12 })],
 ];
 
 function stream() {
@@ -179,6 +182,6 @@ createInterface({ input: process.stdin }).on("line", (line) => {
   if (word === "mode") rover.mode = Number(value);
   if (word === "disarm") rover.armed = false;
   if (word === "shift") rover.north += Number(value);
-  console.log(JSON.stringify({ ...rover, ...parameters, setPoints: heard.setPoints, refused: heard.refused, time: lived }));
+  console.log(JSON.stringify({ ...rover, ...parameters, setPoints: heard.setPoints, refused: heard.refused, time: lived, asked: line }));
 }).on("close", () => process.exit(0));
 socket.bind(0, "127.0.0.1", () => console.log("ready"));
