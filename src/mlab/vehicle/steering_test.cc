@@ -56,5 +56,10 @@ TEST(Steering, TurnsTowardsWhereItIsToGo) {
   EXPECT_DOUBLE_EQ(command_for(rover(), wants(0.0, -1.0), {}, 0.1).turn_rate, -0.5);
 }
 
+TEST(Steering, TurnsNoFasterThanItCanTellHowItTurns) {
+  EXPECT_NEAR(command_for(rover(), wants(1.0, 0.08), {}, 0.1).turn_rate, 0.1, 1e-3);
+  EXPECT_NEAR(command_for(rover(), wants(1.0, -0.08), {}, 0.1).turn_rate, -0.1, 1e-3);
+}
+
 }  // namespace
 }  // namespace mlab::vehicle
