@@ -35,7 +35,7 @@ class Gate {
     std::function<std::vector<VehicleFacts>(const std::vector<std::string>& names)> look;
     std::function<double()> wall_clock;  ///< as Signature::at
     Store store;
-    std::string how;        ///< to make a checklist, for people: `mlab preflight a.mdl --fleet alpha --sign "NAME"`
+    std::string how;  ///< to make a checklist, for people: `mlab preflight a.mdl --fleet alpha --sign "NAME"`
     std::string unchecked;  ///< why none is needed, in somebody's words; empty: one is
   };
   explicit Gate(Parts parts) : parts_(std::move(parts)) {}
@@ -60,14 +60,21 @@ class Gate {
   /// For the vehicles of a run that is being made.
   std::shared_ptr<Permit> new_permit();
 
-  /// What `why_not_start` went by, for the log and the recording; empty before: `checked by Ada ...`.
-  std::string said() const;
+  /// What `why_not_start` went by, for the log of the run and its recording.
+  struct Passed {
+    std::string said = {};       ///< a sentence; empty: nothing real moves, or the run was not let pass
+    std::string checklist = {};  ///< that was signed, as JSON; empty: none was
+    bool is_unchecked = false;
+  };
+  Passed passed() const;
 
  private:
+  void let_pass(Permit& permit, Passed passed);
+
   const Parts parts_;
   mutable std::mutex mutex_;
   std::shared_ptr<Permit> permit_;  // of the newest run; null: it has no vehicles
-  std::string said_;
+  Passed passed_;
 };
 
 }  // namespace mlab::preflight

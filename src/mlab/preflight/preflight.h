@@ -30,22 +30,23 @@ struct Link {
 
 /// What is known of a vehicle that a mission names, at a moment. What is not known is not there.
 struct VehicleFacts {
-  std::string name;            ///< in the fleet
-  bool is_there = false;       ///< else nothing below is so now
-  std::string why_not_there;   ///< as a sentence without its subject: `has not joined the fleet`
-  std::string kind;            ///< for people: `MAVLink rover at udp:14550`
-  std::string session;         ///< of its process: another one each time that it is started
-  std::string version;         ///< of missionlab there
-  std::string machine;         ///< that its process runs on
-  bool is_simulated = false;   ///< it says that nothing real moves
-  std::optional<vehicle::Limits> limits;
-  std::optional<Link> link;
-  std::optional<vehicle::Report> report;  ///< the newest
-  double report_age = 0.0;                ///< since that arrived [s]
-  vehicle::Clock::time_point arrived;     ///< when it did, on the clock of the times in it
-  bool is_driven = false;                 ///< by a run
-  bool is_stopped = false;                ///< an emergency stop holds there
-  std::optional<std::vector<vehicle::Check>> checks;  ///< what it says of itself; nothing: it has not said
+  std::string name = {};           ///< in the fleet
+  bool is_there = false;           ///< else nothing below is so now
+  std::string why_not_there = {};  ///< as a sentence without its subject: `has not joined the fleet`
+  std::string kind = {};           ///< for people: `MAVLink rover at udp:14550`
+  std::string session = {};        ///< of its process: another one each time that it is started
+  std::string version = {};        ///< of missionlab there
+  std::string machine = {};        ///< that its process runs on
+  bool is_simulated = false;       ///< it says that nothing real moves
+  std::optional<vehicle::Limits> limits = {};
+  std::optional<Link> link = {};
+  std::optional<vehicle::Report> report = {};  ///< the newest
+  double report_age = 0.0;                     ///< since that arrived [s]
+  vehicle::Clock::time_point arrived = {};     ///< when it did, on the clock of the times in it
+  bool is_driven = false;                      ///< by a run
+  bool is_stopped = false;                     ///< an emergency stop holds there
+  std::optional<std::vector<vehicle::Check>> checks =
+      {};  ///< what it says of itself; nothing: it has not said
 };
 
 // ---- the checklist

@@ -17,8 +17,9 @@ enum class CheckResult : std::uint8_t {
 struct Check {
   std::string name;  ///< `parameter FS_ACTION`, `watchdog`
   CheckResult result = CheckResult::kUnknown;
-  std::string is;        ///< what is, as a sentence without its subject: `is 0`, `has not told it yet`
-  std::string expected;  ///< what it should be, likewise: `2: its failsafes have to let it stand`; may be empty
+  std::string is;  ///< what is, as a sentence without its subject: `is 0`, `has not told it yet`
+  std::string
+      expected;  ///< what it should be, likewise: `2: its failsafes have to let it stand`; may be empty
 
   friend bool operator==(const Check&, const Check&) = default;
 };
