@@ -12,7 +12,7 @@ namespace mlab::preflight {
 namespace {
 
 constexpr std::size_t kWidth = 79;
-constexpr std::size_t kResultWidth = 9;  // of the column of results, with what stands before it
+constexpr std::size_t kResultWidth = 10;  // of the column of results, with what stands before it
 constexpr std::size_t kNameWidth = 19;   // of the column of names
 
 std::size_t width_of(std::string_view text) {
@@ -46,7 +46,7 @@ void add_wrapped(std::string& out, std::string head, std::string_view text, std:
 
 void add_item(std::string& out, const Item& item) {
   const std::size_t indent = kResultWidth + kNameWidth;
-  std::string head = fmt::format("  {:<7}{:<{}}", word_of(item.result), item.name, kNameWidth - 1);
+  std::string head = fmt::format("  {:<8}{:<{}}", word_of(item.result), item.name, kNameWidth - 1);
   head += ' ';
   if (head.size() > indent) {
     out += head.substr(0, head.find_last_not_of(' ') + 1) + '\n';

@@ -116,7 +116,7 @@ class Items {
                     limits.min_speed < 0.0 ? "also backwards" : "never backwards"),
         fastest > 0.0 ? "" : "a greatest speed: start its process with --max-speed");
     add("standstill", limits.standstill <= kGoodStandstill ? kPass : kWarn,
-        fmt::format("stands {:.2g} s after the last command, as it states", limits.standstill),
+        fmt::format("stands {:.1f} s after the last command, as it states", limits.standstill),
         fmt::format("at most {:.2g} s", kGoodStandstill));
   }
 

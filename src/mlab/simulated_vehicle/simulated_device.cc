@@ -84,7 +84,7 @@ void SimulatedDevice::look() {
 
 std::vector<Check> SimulatedDevice::checks(Clock::time_point /*now*/) {
   return {{"watchdog", CheckResult::kPass, fmt::format("brakes {} s after its last command", kWatchdog),
-           fmt::format("stands within {:.2g} s", limits_.standstill)}};
+           fmt::format("stands within {:.1f} s", limits_.standstill)}};
 }
 
 void SimulatedDevice::drive(const Command& command, Clock::time_point now) {

@@ -20,10 +20,11 @@ using vehicle::Clock;
 constexpr std::chrono::seconds kFindingPatience(4);     // for who has only just joined to find all
 constexpr std::chrono::seconds kHearingPatience(3);     // for a vehicle to say how it is
 constexpr std::chrono::seconds kListenedFor(60);        // after it was asked for last
-constexpr std::chrono::milliseconds kFirstEchoes(60);   // between questions to one that is new
+constexpr std::chrono::milliseconds kFirstEchoes(40);   // between questions to one that is new
 constexpr std::chrono::milliseconds kLaterEchoes(500);  // likewise, to others
 constexpr std::chrono::milliseconds kOldReport(1000);   // one that is older is waited for
-constexpr int kEnoughEchoes = 10;                       // to say what is lost
+// So many questions that the first ones, asked before both have found each other, count no more.
+constexpr int kEnoughEchoes = agents::LinkHistory::kKept + 3;
 constexpr std::size_t kLongestText = 100;               // characters
 
 std::string why_not_there(const Member& member, Clock::time_point now) {
