@@ -110,13 +110,12 @@ Item battery_item(const mission::Mission& mission) {
 Item robots_item(const mission::Mission& mission, const std::vector<CheckedVehicle>& vehicles) {
   std::size_t on_vehicles = 0;
   for (const CheckedVehicle& one : vehicles) on_vehicles += one.robots.size();
-  return {
-      "mission/robots",
-      "",
-      "robots",
-      vehicles.empty() ? kUnknown : kPass,
-      fmt::format("{}, {} of them on vehicles", base::counted(mission.robots.size(), "robot"), on_vehicles),
-      ""};
+  return {"mission/robots",
+          "",
+          "robots",
+          vehicles.empty() ? kUnknown : kPass,
+          fmt::format("{}, {} on vehicles", base::counted(mission.robots.size(), "robot"), on_vehicles),
+          ""};
 }
 
 }  // namespace

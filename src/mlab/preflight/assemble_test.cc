@@ -33,7 +33,7 @@ TEST(Checklist, IsOfTheVehiclesThatRobotsHaveAsBodies) {
   ASSERT_EQ(list.vehicles.size(), 2U);
   EXPECT_EQ(list.vehicles[1].name, "veh-2");
   EXPECT_EQ(list.vehicles[1].robots, std::vector<std::uint32_t>{2});
-  EXPECT_EQ(item(list, "mission/robots").is, "3 robots, 2 of them on vehicles");
+  EXPECT_EQ(item(list, "mission/robots").is, "3 robots, 2 on vehicles");
   EXPECT_TRUE(list.is_needed());
 }
 
@@ -180,7 +180,8 @@ TEST(ChecklistText, FitsInto80Columns) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
   EXPECT_NE(text.find("\nThe vehicle veh-1, body of robot 1\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("  pass    link               2.0 ms there and back, nothing lost\n"), std::string::npos)
+  EXPECT_NE(text.find("  pass    link               2.0 ms there and back, nothing lost\n"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("                             expected: 255: it has to count"), std::string::npos)
       << text;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kWidth = 79;
 constexpr std::size_t kResultWidth = 10;  // of the column of results, with what stands before it
-constexpr std::size_t kNameWidth = 19;   // of the column of names
+constexpr std::size_t kNameWidth = 19;    // of the column of names
 
 std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(

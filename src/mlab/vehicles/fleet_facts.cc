@@ -20,12 +20,13 @@ using vehicle::Clock;
 constexpr std::chrono::seconds kFindingPatience(4);     // for who has only just joined to find all
 constexpr std::chrono::seconds kHearingPatience(3);     // for a vehicle to say how it is
 constexpr std::chrono::seconds kListenedFor(60);        // after it was asked for last
-constexpr std::chrono::milliseconds kFirstEchoes(40);   // between questions to one that is new
+constexpr std::chrono::milliseconds kFirstEchoes(20);   // between questions to one that is new
+constexpr std::chrono::milliseconds kLastAnswers(250);  // for what is on its way, before a loss is told
 constexpr std::chrono::milliseconds kLaterEchoes(500);  // likewise, to others
 constexpr std::chrono::milliseconds kOldReport(1000);   // one that is older is waited for
 // So many questions that the first ones, asked before both have found each other, count no more.
 constexpr int kEnoughEchoes = agents::LinkHistory::kKept + 3;
-constexpr std::size_t kLongestText = 100;               // characters
+constexpr std::size_t kLongestText = 100;  // characters
 
 std::string why_not_there(const Member& member, Clock::time_point now) {
   if (member.state == Member::State::kGone) return "has left the fleet";
@@ -83,11 +84,12 @@ void FleetFacts::listen(const std::stop_token& stop) {
 }
 
 void FleetFacts::measure(agents::EchoProbe& links) {
-  const bool has_new = [this] {
+  int least = kEnoughEchoes + 1;
+  {
     const std::scoped_lock lock(mutex_);
-    return std::ranges::any_of(watched_, [](const auto& one) { return one.second.echoes < kEnoughEchoes; });
-  }();
-  links.measure(has_new ? kFirstEchoes : kLaterEchoes);
+    for (const auto& [name, one] : watched_) least = std::min(least, one.echoes);
+  }
+  links.measure(least < kEnoughEchoes ? kFirstEchoes : least == kEnoughEchoes ? kLastAnswers : kLaterEchoes);
   const std::scoped_lock lock(mutex_);
   for (auto& [name, one] : watched_) {
     one.link = links.quality(name);
@@ -135,7 +137,7 @@ bool FleetFacts::is_known(const std::string& name, Clock::time_point now) const 
   if (!member->said.has_vehicle()) return true;
   const auto at = watched_.find(name);
   return at != watched_.end() && at->second.from == member->guid && at->second.said &&
-         at->second.echoes >= kEnoughEchoes && !at->second.report.empty() &&
+         at->second.echoes > kEnoughEchoes && !at->second.report.empty() &&
          now - at->second.arrived < kOldReport;
 }
 

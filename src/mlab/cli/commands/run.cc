@@ -116,13 +116,15 @@ bool may_start(const Prepared& prepared) {
   return why.empty();
 }
 
-// In the log, and in the recording, which begins when the mission is started.
-void tell_preflight(const Prepared& prepared, RunScreen& screen) {
+// Starts the mission. What its vehicles were let pass by is in the log, and in the recording, which begins
+// then.
+void execute(const Prepared& prepared, RunScreen& screen) {
   const preflight::Gate::Passed passed = prepared.gate ? prepared.gate->passed() : preflight::Gate::Passed{};
-  if (passed.said.empty()) return;
-  screen.line(fmt::format("[{:9.1f} s] {}{}", prepared.run->time(),
-                          passed.is_unchecked ? colored("warning: ", Color::kWarning) : "", passed.said));
-  if (prepared.recording)
+  if (!passed.said.empty())
+    screen.line(fmt::format("[{:9.1f} s] {}{}", prepared.run->time(),
+                            passed.is_unchecked ? colored("warning: ", Color::kWarning) : "", passed.said));
+  prepared.run->post(mission::event::Execute{});
+  if (!passed.said.empty() && prepared.recording)
     prepared.recording->put_metadata({"preflight", {{"said", passed.said}, {"checklist", passed.checklist}}});
 }
 
@@ -193,8 +195,7 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
   SharedStop stop(run, screen, prepared.stop_line.get(), options.network);
   if (prepared.stop_line) prepared.stop_line->settle();
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
-  run.post(mission::event::Execute{});
-  tell_preflight(prepared, screen);
+  execute(prepared, screen);
   while (!was_interrupted()) {
     if (const double ahead = person.ahead(); ahead > 0.0) {
       const double before = steady_seconds();
