@@ -243,7 +243,8 @@ std::string trial_of(const ShownCommand& shown) {
   const bool has_mission = command == "run" && !says("--resume");
   if ((opens_page && has_mission) || command == "edit") words = {"check", words[1]};
   // It would wait for runs or for people for ever, or wants what others have left.
-  if (command == "agent" || command == "robot" || (opens_page && !has_mission) || says("--merge"))
+  if (command == "agent" || command == "robot" || command == "preflight" || (opens_page && !has_mission) ||
+      says("--merge"))
     words.emplace_back("--help");
   if (command == "build" && !says("--emit")) words.insert(words.end(), {"--emit", "cnl"});
   return fmt::format("./mlab {}", fmt::join(words, " "));
