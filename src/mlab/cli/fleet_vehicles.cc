@@ -62,13 +62,13 @@ class FleetVehicles {
       if (!line) continue;
       const bool is_real = !said.is_simulated();
       has_real = has_real || is_real;
-      if (is_real) *line = preflight::gated(std::move(*line), permit);
+      if (is_real) *line = preflight::gated(name, std::move(*line), permit);
       crewed.push_back({name, *limits, std::move(*line)});
     }
     if (has_real)
       facts_->expect(names);
     else
-      permit->give();  // nobody has to look at anything
+      permit->give({});  // nobody has to look at anything
     if (crewed.empty()) return simulated;
     const std::uint64_t session =
         base::hash_text(roster_->participant().guid().text() + "/" + std::to_string(++sessions_));

@@ -11,7 +11,7 @@ namespace {
 std::vector<std::string> real_vehicles(const Checklist& checklist) {
   std::vector<std::string> out;
   for (const CheckedVehicle& one : checklist.vehicles) {
-    if (!one.session.empty() && !one.is_simulated) out.push_back(fmt::format("`{}`", one.name));
+    if (!one.session.empty() && !one.is_simulated) out.push_back(one.name);
   }
   return out;
 }
@@ -51,28 +51,31 @@ std::string Gate::why_not_start(const run::Crew& crew) {
   }
   if (!permit || permit->is_given()) return "";
   if (!parts_.unchecked.empty()) {
-    let_pass(*permit, {"the vehicles were not checked before the mission: " + parts_.unchecked, "", true});
+    let_pass(*permit, hosts_of(*crew.mission),
+             {"the vehicles were not checked before the mission: " + parts_.unchecked, "", true});
     return "";
   }
   const Checklist now = look(crew);
   if (!now.is_needed()) {
-    let_pass(*permit, {});
+    let_pass(*permit, {}, {});
     return "";
   }
   const auto found = parts_.store.find(now, parts_.wall_clock());
   if (found) {
-    let_pass(*permit, {how_signed(found->signature), json_of(*found)});
+    let_pass(*permit, real_vehicles(now), {how_signed(found->signature), json_of(*found)});
     return "";
   }
   const std::vector<std::string> names = real_vehicles(now);
   return fmt::format(
-      "the mission moves {} {}, and there is no signed pre-flight checklist that holds: {}. Make one: {}",
-      names.size() == 1 ? "the vehicle" : "the vehicles", fmt::join(names, ", "), found.error(), parts_.how);
+      "the mission moves {} `{}`, and there is no signed pre-flight checklist that holds: {}. Make one: {}",
+      names.size() == 1 ? "the vehicle" : "the vehicles", fmt::join(names, "`, `"), found.error(),
+      parts_.how);
 }
 
-void Gate::let_pass(Permit& permit, Passed passed) {
-  permit.give();
+void Gate::let_pass(Permit& permit, std::vector<std::string> vehicles, Passed passed) {
   const std::scoped_lock lock(mutex_);
+  if (permit.is_given()) return;
+  permit.give(std::move(vehicles));
   passed_ = std::move(passed);
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <expected>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mlab/preflight/preflight.h"
@@ -13,14 +16,24 @@
 
 namespace mlab::preflight {
 
-/// Stands between a run and the vehicles of its mission: what they say passes to the run, and what it wants
-/// to them, only after `let_pass`. A run gets a new one, which is closed.
+/// Stands between a run and the vehicles of its mission that are not simulated: what they say passes to the
+/// run, and what it wants to them, only where they were checked. A run gets a new one, which lets nobody
+/// pass. May be asked by any thread.
 class Permit {
  public:
+  /// The run may start.
   bool is_given() const { return is_given_; }
-  void give() { is_given_ = true; }
+  bool lets_pass(std::string_view vehicle) const {
+    return is_given_ && std::ranges::find(vehicles_, vehicle) != vehicles_.end();
+  }
+  /// Once. One that was not there when the others were checked stays out, also when it comes later.
+  void give(std::vector<std::string> vehicles) {
+    vehicles_ = std::move(vehicles);
+    is_given_ = true;
+  }
 
  private:
+  std::vector<std::string> vehicles_;  // before `is_given_`, never changed afterwards
   std::atomic<bool> is_given_ = false;
 };
 
@@ -69,7 +82,7 @@ class Gate {
   Passed passed() const;
 
  private:
-  void let_pass(Permit& permit, Passed passed);
+  void let_pass(Permit& permit, std::vector<std::string> vehicles, Passed passed);
 
   const Parts parts_;
   mutable std::mutex mutex_;

@@ -57,7 +57,7 @@ TEST_F(Gates, AreShutUntilSomebodySigns) {
   ASSERT_TRUE(done) << done.error();
   EXPECT_EQ(done->signature.at, now_);
   EXPECT_EQ(one.why_not_start(crew()), "");
-  EXPECT_TRUE(permit->is_given());
+  EXPECT_TRUE(permit->lets_pass("veh-1"));
   EXPECT_EQ(one.passed().said, "the pre-flight checklist was signed by Ada");
   EXPECT_EQ(read_signed(one.passed().checklist), *done);
 }
@@ -114,6 +114,22 @@ TEST_F(Gates, AreOpenWhereNothingRealMoves) {
   EXPECT_EQ(one.passed().said, "");
 }
 
+TEST_F(Gates, KeepOutWhoWasNotThereWhenTheOthersWereChecked) {
+  facts_[1] = {.name = "veh-2", .why_not_there = "has been silent for 7 s"};
+  Gate one = gate();
+  Signature by = signature();
+  by.accepted = {{"veh-2/presence", "the first one does it alone"}};
+  ASSERT_TRUE(one.sign(crew(), by));
+  const auto permit = one.new_permit();
+  EXPECT_EQ(one.why_not_start(crew()), "");
+  EXPECT_TRUE(permit->lets_pass("veh-1"));
+  EXPECT_FALSE(permit->lets_pass("veh-2"));
+  facts_[0] = {.name = "veh-1", .why_not_there = "has been silent for 7 s"};
+  const auto next = one.new_permit();
+  EXPECT_EQ(one.why_not_start(crew()), "") << "none that is there is real";
+  EXPECT_FALSE(next->lets_pass("veh-1"));
+}
+
 TEST_F(Gates, SayWhyNothingWasChecked) {
   Gate one = gate("wheels are off the ground");
   const auto permit = one.new_permit();
@@ -139,11 +155,11 @@ class Heard final : public vehicle::Line {
 TEST(GatedLine, LetsNothingPassBeforeThePermit) {
   const auto permit = std::make_shared<Permit>();
   int told = 0;
-  const auto line = gated(std::make_unique<Heard>(told), permit);
+  const auto line = gated("veh-1", std::make_unique<Heard>(told), permit);
   EXPECT_FALSE(line->hear());
   line->tell({});
   EXPECT_EQ(told, 0);
-  permit->give();
+  permit->give({"veh-1"});
   EXPECT_EQ(line->hear(), "2");
   line->tell({});
   EXPECT_EQ(told, 1);

@@ -9,18 +9,19 @@ namespace {
 
 class GatedLine final : public vehicle::Line {
  public:
-  GatedLine(std::unique_ptr<vehicle::Line> line, std::shared_ptr<const Permit> permit)
-      : line_(std::move(line)), permit_(std::move(permit)) {}
+  GatedLine(std::string vehicle, std::unique_ptr<vehicle::Line> line, std::shared_ptr<const Permit> permit)
+      : vehicle_(std::move(vehicle)), line_(std::move(line)), permit_(std::move(permit)) {}
 
   std::optional<std::string> hear() override {
     if (auto said = line_->hear()) newest_ = std::move(said);
-    return permit_->is_given() ? std::exchange(newest_, std::nullopt) : std::nullopt;
+    return permit_->lets_pass(vehicle_) ? std::exchange(newest_, std::nullopt) : std::nullopt;
   }
   void tell(const wire::VehicleCommand& command) override {
-    if (permit_->is_given()) line_->tell(command);
+    if (permit_->lets_pass(vehicle_)) line_->tell(command);
   }
 
  private:
+  const std::string vehicle_;
   std::unique_ptr<vehicle::Line> line_;
   std::shared_ptr<const Permit> permit_;
   std::optional<std::string> newest_;  // that was heard, and passes as soon as anything may
@@ -28,9 +29,9 @@ class GatedLine final : public vehicle::Line {
 
 }  // namespace
 
-std::unique_ptr<vehicle::Line> gated(std::unique_ptr<vehicle::Line> line,
+std::unique_ptr<vehicle::Line> gated(std::string vehicle, std::unique_ptr<vehicle::Line> line,
                                      std::shared_ptr<const Permit> permit) {
-  return std::make_unique<GatedLine>(std::move(line), std::move(permit));
+  return std::make_unique<GatedLine>(std::move(vehicle), std::move(line), std::move(permit));
 }
 
 }  // namespace mlab::preflight
