@@ -76,6 +76,7 @@ void talk_to(vehicle::Device& device, SaidLine& line, Next&& next) {
     now += std::chrono::milliseconds(50);
     device.work(now);
     check_report(device.report(now), now);
+    for (const vehicle::Check& one : device.checks(now)) require(!one.name.empty() && !one.is.empty());
     if (i % 5 == 4) device.stop(now);
     if (i % 3 == 0) device.drive({0.1, 1e300}, now);
   }

@@ -245,7 +245,8 @@ std::string trial_of(const ShownCommand& shown) {
   // A few runs show as well as hundreds that it works; the last word holds.
   if (command == "batch" && !says("--merge")) words.insert(words.end(), {"--runs", "5"});
   // It would wait for runs or for people for ever, or wants what others have left.
-  if (command == "agent" || command == "robot" || (opens_page && !has_mission) || says("--merge"))
+  if (command == "agent" || command == "robot" || command == "preflight" || (opens_page && !has_mission) ||
+      says("--merge"))
     words.emplace_back("--help");
   if (command == "build" && !says("--emit")) words.insert(words.end(), {"--emit", "cnl"});
   return fmt::format("./mlab {}", fmt::join(words, " "));

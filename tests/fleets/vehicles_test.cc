@@ -1,6 +1,7 @@
 // Robots whose bodies are vehicles of a fleet: processes of their own, on other machines, in real time.
 
 #include <csignal>
+#include <iterator>
 
 #include "fleets.h"
 
@@ -36,6 +37,75 @@ class Vehicles : public Fleets {
     return report();
   }
 };
+
+/// With a vehicle that is not simulated, as far as anybody can tell: a model behind a serial line.
+class CheckedVehicles : public Vehicles {
+ protected:
+  Process model(const std::string& host) {
+    Process out = net().host(host).start({MLAB_TEXT_ROVER_MODEL, "--link", "/tmp/rover"});
+    EXPECT_TRUE(out.prints("line:", kFleetPatience)) << out.errors();
+    return out;
+  }
+  Process rover(const std::string& host, const std::string& name) {
+    Process out = net().host(host).start(
+        {MLAB_COMMAND, "robot", "--binding", "text-rover", "--fleet", "alpha", "--name", name, "--device",
+         "serial:/tmp/rover:57600", "--network", net().host(host).address()},
+        {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+    EXPECT_TRUE(out.prints("the vehicle is ready", kFleetPatience)) << out.output() << out.errors();
+    return out;
+  }
+  Process operate(std::vector<std::string> words) {
+    words.insert(words.begin(), MLAB_COMMAND);
+    words.insert(words.end(), {"--fleet", "alpha", "--network", base().address()});
+    return base().start(words, {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+  }
+  Process preflight(std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"preflight", yard() + "rover.mdl"});
+    return operate(std::move(more));
+  }
+  Process start(std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"run", yard() + "rover.mdl", "--headless", "--proceed", "--robots", "fleet",
+                               "--real-time", "--threads", "1"});
+    return operate(std::move(more));
+  }
+  void ends_with(Process far, const std::string& status, const std::string& errors) {
+    const auto ending = far.wait(kFleetPatience);
+    EXPECT_EQ(ending ? ending->words() : "", status) << far.output() << far.errors();
+    EXPECT_NE(far.errors().find(errors), std::string::npos) << far.output() << far.errors();
+  }
+};
+
+TEST_F(CheckedVehicles, DriveOnlyWithAChecklistThatSomebodySigned) {
+  make_network(76);
+  const Process line = model("north");
+  {
+    const Process first = rover("north", "veh-1");
+    ends_with(
+        start(), "exit status 1",
+        "the mission moves the vehicle `veh-1`, and there is no signed pre-flight checklist that holds: "
+        "none was signed for it");
+    ends_with(preflight({"--sign", "Ada"}), "exit status 2", "--sign asks a person at a terminal");
+    EXPECT_EQ(first.output().find("a run drives it"), std::string::npos) << first.output();
+    ends_with(preflight({"--sign", "Ada", "--yes"}), "exit status 0", "");
+    Process far = start({"--record", "/tmp/checked.mcap"});
+    EXPECT_TRUE(first.prints("a run drives it", kFleetPatience)) << far.output() << far.errors();
+    EXPECT_TRUE(far.prints("the pre-flight checklist was signed by Ada", kFleetPatience)) << far.output();
+    far.signal(SIGTERM);
+    EXPECT_TRUE(far.wait(kFleetPatience));
+    std::ifstream file(base().path("/tmp/checked.mcap"), std::ios::binary);
+    const std::string recorded{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(recorded.find("the pre-flight checklist was signed by Ada"), std::string::npos);
+  }
+  const Process first = rover("north", "veh-1");
+  ends_with(start(), "exit status 1", "the process of the vehicle `veh-1` was started anew since");
+  Process unchecked = start({"--unchecked", "its wheels are off the ground"});
+  EXPECT_TRUE(first.prints("a run drives it", kFleetPatience)) << unchecked.errors();
+  EXPECT_TRUE(
+      unchecked.prints("were not checked before the mission: its wheels are off the ground", kFleetPatience))
+      << unchecked.output();
+  unchecked.signal(SIGTERM);
+  EXPECT_TRUE(unchecked.wait(kFleetPatience));
+}
 
 TEST_F(Vehicles, TakePartInAMissionBesideSimulatedRobotsAndAreRecorded) {
   make_network(71);

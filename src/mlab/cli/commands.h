@@ -48,6 +48,7 @@ struct RunOptions {
   RobotsAt robots = RobotsAt::kRun;
   NetworkOptions network;     ///< of kFleet
   bool real_time = false;     ///< its robots are not waited for
+  std::string unchecked;      ///< why vehicles are driven without a checklist; empty: they are not
   robot_host::Limits limits;  ///< of robots with code of their own
   std::string speed;          ///< `real`, `max` or a number; empty: the default of the surface
   std::uint64_t seed = 1;
@@ -202,6 +203,21 @@ struct FleetOptions {
 };
 /// Says who is in a fleet, again and again until it is interrupted.
 int show_fleet(const FleetOptions& options);
+
+struct PreflightOptions {
+  std::string mission;  ///< file
+  NetworkOptions network;
+  std::string sign;                  ///< name of who signs; empty: nobody does
+  std::vector<std::string> accept;   ///< items that have failed, and do not keep the mission from running
+  std::vector<std::string> because;  ///< why, for each of them
+  bool yes = false;                  ///< all that a person has to confirm is so
+  bool json = false;
+  bool allow_native = false;
+  bool no_cell = false;
+};
+/// Looks at a mission and its vehicles, says what is well and what is not, and has it signed.
+/// @return kDone: nothing has failed, or it is signed; kFailed: something has, or it is not; kBadInput
+int preflight(const PreflightOptions& options);
 
 struct KeysOptions {
   std::string fleet;     ///< empty: the one that is called `default`

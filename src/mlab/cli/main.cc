@@ -25,6 +25,7 @@
 #include "mlab/cli/fleet_words.h"
 #include "mlab/cli/option_groups.h"
 #include "mlab/cli/output.h"
+#include "mlab/cli/preflight_options.h"
 #include "mlab/cli/replay_options.h"
 #include "mlab/cli/robot_options.h"
 #include "mlab/cli/shell_words.h"
@@ -59,6 +60,10 @@ void add_robots(CLI::App* c, RunOptions& o) {
   c->add_flag("--real-time", o.real_time,
               "robots of --robots fleet are not waited for: they act at their own rate on what reaches them, "
               "and time passes as on the clock");
+  c->add_option("--unchecked", o.unchecked,
+                "drive vehicles without a signed checklist (mlab preflight), for this reason: the log has it")
+      ->check(refuse_if_empty)
+      ->type_name("REASON");
   add_network(c, o.network);
 }
 
@@ -448,6 +453,7 @@ struct AllOptions {
   AgentOptions agent;
   RobotOptions robot;
   FleetOptions fleet;
+  PreflightOptions preflight;
   KeysOptions keys;
   ReplayOptions replay;
   TraceOptions trace;
@@ -478,6 +484,7 @@ void add_all(CLI::App& app, AllOptions& o) {
   add_agent_options(app.add_subcommand("agent", kAgentDescription), o.agent);
   add_robot(app, o.robot);
   add_fleet(app, o.fleet);
+  add_preflight(app, o.preflight);
   o.replay.threads = o.trace.replay.threads = o.compare.threads = o.run.threads;
   CLI::App* const replay = app.add_subcommand("replay", kReplayDescription);
   add_replay_options(replay, o.replay);
@@ -513,6 +520,7 @@ constexpr Command kCommands[] = {
     {"agent", [](const AllOptions& o) { return agent(o.agent); }},
     {"robot", [](const AllOptions& o) { return robot(o.robot); }},
     {"fleet", [](const AllOptions& o) { return show_fleet(o.fleet); }},
+    {"preflight", [](const AllOptions& o) { return preflight(o.preflight); }},
     {"keys", [](const AllOptions& o) { return keys(o.keys); }},
     {"replay", [](const AllOptions& o) { return replay(o.replay); }},
     {"trace", [](const AllOptions& o) { return trace(o.trace); }},

@@ -20,6 +20,8 @@ class RunRecording {
 
   void see(const mission::Effect& effect);
   void note(run::MissionRun::Progress progress);
+  /// Beside the run, once it is started: as history::Recorder.
+  void put_metadata(const mcap::Metadata& metadata) { recorder_.put_metadata(metadata); }
   /// The run is over. Says where the recording is, or that it is not whole.
   /// @param command  that was typed: `mlab run`
   /// @return false: it is not whole

@@ -79,6 +79,8 @@ std::string name_of_run(const RunOptions& options) {
 // Where the robots of the run are, and whether they are waited for.
 std::optional<std::string> settle_robots(const RunOptions& options, RunManner& out) {
   const NetworkOptions& network = options.network;
+  if (!options.unchecked.empty() && !options.real_time)
+    return "--unchecked counts with --real-time only: nothing else drives vehicles";
   if (options.robots != RobotsAt::kFleet) {
     if (!network.fleet.empty() || !network.interface_name.empty() || !network.peers.empty() ||
         network.is_secure)
@@ -107,7 +109,7 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
                                       std::uint64_t seed, double cycle_duration) {
     return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0, hints);
   };
-  if (options.real_time) settle_vehicles(*roster, out.settings);
+  if (options.real_time) out.gate = settle_vehicles(*roster, options, out.settings);
   return std::nullopt;
 }
 

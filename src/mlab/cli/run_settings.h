@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -7,6 +8,7 @@
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/preflight/gate.h"
 #include "mlab/robot/program/robot_program.h"
 #include "mlab/run/mission_run.h"
 
@@ -16,7 +18,8 @@ namespace mlab::cli {
 struct RunManner {
   double speed = 0.0;  ///< simulated seconds per second; 0: as fast as it goes
   MissionClock clock;
-  run::RunSettings settings;  ///< all but the environment, which belongs to a mission
+  run::RunSettings settings;              ///< all but the environment, which belongs to a mission
+  std::shared_ptr<preflight::Gate> gate;  ///< before vehicles; null: the run has none
 };
 
 /// @param default_speed  where the options name none

@@ -11,6 +11,7 @@
 #include "mlab/console/trial.h"
 #include "mlab/history/history.h"
 #include "mlab/metrics/exposition.h"
+#include "mlab/preflight/gate.h"
 #include "mlab/robot/host/limits.h"
 #include "mlab/run/mission_run.h"
 #include "mlab/tiles/map_tiles.h"
@@ -52,6 +53,7 @@ struct SessionSettings {
   double speed = 10.0;                                ///< simulated seconds per second; 0: as fast as it goes
   std::shared_ptr<const tiles::MapTiles> tiles = {};  ///< what the map lies on; null: nothing
   run::RunSettings run;
+  std::shared_ptr<preflight::Gate> gate = {};  ///< before vehicles that a run may have; null: it has none
   RecordSettings record = {};
   OpenRecording recording = {};     ///< then no mission is opened
   OpenRecording against = {};       ///< that the recording is compared with

@@ -327,6 +327,36 @@ const vehicle::Report& RoverDevice::report(Time now) {
   return report_;
 }
 
+std::vector<vehicle::Check> RoverDevice::checks(Time now) {
+  using enum vehicle::CheckResult;
+  std::vector<vehicle::Check> out;
+  if (const Trouble silent = silence(now); silent.readiness != Readiness::kReady)
+    out.push_back({"autopilot", kFail, silent.why, "is heard"});
+  else
+    out.push_back({"autopilot", kPass,
+                   fmt::format("is in mode {}, {}", name_of(heard_->mode),
+                               heard_->is_armed ? "and armed" : "not armed"),
+                   ""});
+  out.push_back({"firmware", kUnknown, "is not asked for its version", ""});
+  out.push_back({"signing", settings_.key ? kPass : kWarn,
+                 settings_.key ? "all is signed, and nothing else is taken"
+                               : "nothing is signed: who reaches its link can drive it",
+                 ""});
+  if (fails_checks_)
+    out.push_back({"checks before arming", kFail,
+                   check_text_.empty() ? "it says that they fail" : check_text_, "pass"});
+  for (const ParameterCheck& one : parameters_.checks()) {
+    const auto wrong = one.is_needed ? kFail : kWarn;
+    out.push_back({"parameter " + one.name,
+                   !one.value     ? kUnknown
+                   : one.is_right ? kPass
+                                  : wrong,
+                   one.value ? fmt::format("is {}", *one.value) : "has not told it yet",
+                   fmt::format("{}: {}", one.wanted, one.why)});
+  }
+  return out;
+}
+
 void RoverDevice::drive(const vehicle::Command& command, Time now) {
   if (!std::isfinite(command.speed) || !std::isfinite(command.turn_rate)) {
     stop(now);

@@ -60,6 +60,7 @@ class RoverDevice final : public vehicle::Device {
   const vehicle::Limits& limits() const override { return settings_.limits; }
   void work(Time now) override;
   const vehicle::Report& report(Time now) override;
+  std::vector<vehicle::Check> checks(Time now) override;
   void drive(const vehicle::Command& command, Time now) override;
   void stop(Time now) override;
   void stop_in_emergency(Time now) override;

@@ -188,6 +188,9 @@ TEST(RoverDevice, IsNotArmedWhereItsOwnChecksFail) {
   pair.drive(2.0, {1.0, 0.0});
   EXPECT_FALSE(pair.rover.is_armed);
   EXPECT_EQ(pair.why(), "fails its own checks before arming: PreArm: compass not healthy");
+  EXPECT_TRUE(std::ranges::any_of(pair.device->checks(pair.now), [](const vehicle::Check& one) {
+    return one.result == vehicle::CheckResult::kFail && one.is == "PreArm: compass not healthy";
+  }));
   EXPECT_TRUE(says(pair.device->take_notes(), "says: PreArm: compass not healthy"));
   EXPECT_TRUE(pair.device->take_notes().empty());
 }
@@ -347,6 +350,32 @@ TEST(RoverDevice, IsNotReadyWithParametersThatAreNotSafe) {
       "ground station (QGroundControl, `param set FS_GCS_ENABLE 1`)");
   pair.drive(2.0, {1.0, 0.0});
   EXPECT_FALSE(pair.rover.is_armed);
+}
+
+TEST(RoverDevice, TellsBeforeAMissionWhichParametersAreNotSafe) {
+  using vehicle::Check;
+  using enum vehicle::CheckResult;
+  Pair pair(quick());
+  const auto check = [&](std::string_view name) {
+    for (const Check& one : pair.device->checks(pair.now)) {
+      if (one.name == name) return one;
+    }
+    return Check{"none", kUnknown, "", ""};
+  };
+  EXPECT_EQ(check("autopilot"), (Check{"autopilot", kFail, "has not been heard yet", "is heard"}));
+  EXPECT_EQ(check("parameter FS_ACTION").result, kUnknown);
+  EXPECT_EQ(check("parameter FS_ACTION").is, "has not told it yet");
+  pair.rover.parameters["FS_GCS_ENABLE"] = 0;
+  pair.rover.parameters["FS_CRASH_CHECK"] = 0;
+  pair.pass(3.0);
+  EXPECT_EQ(check("autopilot"), (Check{"autopilot", kPass, "is in mode MANUAL, not armed", ""}));
+  EXPECT_EQ(check("parameter FS_ACTION").result, kPass);
+  EXPECT_EQ(check("parameter FS_GCS_ENABLE"),
+            (Check{"parameter FS_GCS_ENABLE", kFail, "is 0",
+                   "1 to 2: it has to act by itself when it hears us no more"}));
+  EXPECT_EQ(check("parameter FS_CRASH_CHECK").result, kWarn) << "good advice only";
+  EXPECT_EQ(check("firmware").result, kUnknown);
+  EXPECT_EQ(check("signing").result, kWarn);
 }
 
 TEST(RoverDevice, SetsParametersWhereItIsToldTo) {

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "mlab/vehicle/steering.h"
 
 namespace mlab::vehicle {
@@ -78,6 +80,11 @@ void SimulatedDevice::look() {
   for (const percept::RangeReading& one : seen.ranges)
     out.distances.push_back(one.hit ? static_cast<float>(limits_.radius) + one.distance
                                     : std::numeric_limits<float>::infinity());
+}
+
+std::vector<Check> SimulatedDevice::checks(Clock::time_point /*now*/) {
+  return {{"watchdog", CheckResult::kPass, fmt::format("brakes {} s after its last command", kWatchdog),
+           fmt::format("stands within {:.1f} s", limits_.standstill)}};
 }
 
 void SimulatedDevice::drive(const Command& command, Clock::time_point now) {

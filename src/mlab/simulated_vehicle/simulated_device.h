@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mlab/sim/simulated_binding.h"
 #include "mlab/sim/world.h"
@@ -28,6 +29,8 @@ class SimulatedDevice final : public Device {
   const Limits& limits() const override { return limits_; }
   void work(Clock::time_point now) override;
   const Report& report(Clock::time_point /*now*/) override { return report_; }
+  std::vector<Check> checks(Clock::time_point now) override;
+  bool is_simulated() const override { return true; }
   void drive(const Command& command, Clock::time_point now) override;
   void stop(Clock::time_point now) override;
 

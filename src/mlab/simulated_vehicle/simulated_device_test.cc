@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -56,6 +57,14 @@ TEST_F(Simulated, StandsInItsStatedTimeWhereNobodyDrivesItAnyMore) {
   ASSERT_NEAR(speed(), 1.0, 1e-9);
   pass(device_.limits().standstill);
   EXPECT_EQ(speed(), 0.0);
+}
+
+TEST_F(Simulated, SaysThatItIsAndThatItHasAWatchdog) {
+  EXPECT_TRUE(device_.is_simulated());
+  const std::vector<Check> checks = device_.checks(now_);
+  ASSERT_EQ(checks.size(), 1U);
+  EXPECT_EQ(checks[0], (Check{"watchdog", CheckResult::kPass, "brakes 0.5 s after its last command",
+                              "stands within 1.0 s"}));
 }
 
 TEST_F(Simulated, SeesWhatStandsInItsWorld) {

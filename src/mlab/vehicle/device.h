@@ -10,6 +10,7 @@
 #include "mlab/binding/body.h"
 #include "mlab/geography/geo_point.h"
 #include "mlab/geom/pose.h"
+#include "mlab/vehicle/check.h"
 
 namespace mlab::vehicle {
 
@@ -122,6 +123,11 @@ class Device {
   virtual const Report& report(Clock::time_point now) = 0;
   /// What happened since this was called last, for people at the vehicle, the oldest first, a line each.
   virtual std::vector<std::string> take_news() { return {}; }
+  /// What of it is to be looked at before a mission, beside limits and report; nothing is made up. In an
+  /// order that stays.
+  virtual std::vector<Check> checks(Clock::time_point /*now*/) { return {}; }
+  /// Nothing real moves.
+  virtual bool is_simulated() const { return false; }
   /// Tells it what to do, cut to its limits. Has no effect where it is not ready; one in `kStandby` it makes
   /// ready (arms it, changes its mode), over several calls. Nothing is taken from who has taken it.
   /// @param command  what is no number counts as `stop`

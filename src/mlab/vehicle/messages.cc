@@ -18,7 +18,8 @@ constexpr double kFastest = 1000.0;   // [m/s], [rad/s], and their changes in a 
 constexpr double kLongestAge = 60.0;  // [s]
 constexpr int kMostScans = 64;
 constexpr int kMostBeams = 8192;
-constexpr std::size_t kLongestWhy = 200;  // characters
+constexpr std::size_t kLongestWhy = 200;       // characters
+constexpr std::size_t kLongestCheckName = 40;  // likewise
 constexpr std::uint32_t kLastDrive = static_cast<std::uint32_t>(binding::Drive::kSynchro);
 
 /// A limit of a vehicle, by what the message calls it.
@@ -143,8 +144,9 @@ std::optional<Fix> decode(const wire::VehicleFix& message, Clock::time_point arr
 
 }  // namespace
 
-wire::OfferedVehicle offered(const std::string& kind, const Limits& limits_now) {
+wire::OfferedVehicle offered(const std::string& kind, const Limits& limits_now, bool is_simulated) {
   wire::OfferedVehicle out;
+  out.set_is_simulated(is_simulated);
   Limits limits = limits_now;
   out.set_kind(kind);
   out.set_drive(static_cast<std::uint32_t>(limits.kinematics.drive));
@@ -229,6 +231,38 @@ std::expected<Report, std::string> decode(const wire::VehicleReport& message, Cl
       !is_age(battery.age()))
     return std::unexpected("its battery is none");
   out.battery = {battery.share(), battery.voltage(), before(arrived, battery.age())};
+  return out;
+}
+
+std::string encode(const std::vector<Check>& checks) {
+  wire::VehicleChecks out;
+  for (const Check& one : checks) {
+    if (static_cast<std::size_t>(out.checks_size()) == kMostChecks) break;
+    wire::VehicleCheck& said = *out.add_checks();
+    said.set_name(one.name);
+    said.set_result(static_cast<std::uint32_t>(one.result));
+    said.set_is(one.is);
+    said.set_expected(one.expected);
+  }
+  return out.SerializeAsString();
+}
+
+std::expected<std::vector<Check>, std::string> decode_checks(std::string_view message) {
+  constexpr auto kLast = static_cast<std::uint32_t>(CheckResult::kUnknown);
+  wire::VehicleChecks read;
+  if (!read.ParseFromArray(message.data(), static_cast<int>(message.size())))
+    return std::unexpected("its checks can't be read");
+  if (static_cast<std::size_t>(read.checks_size()) > kMostChecks)
+    return std::unexpected(
+        fmt::format("it has {} checks, at most {} are read", read.checks_size(), kMostChecks));
+  std::vector<Check> out;
+  for (const wire::VehicleCheck& one : read.checks()) {
+    if (one.result() > kLast)
+      return std::unexpected(fmt::format("result of a check is {}, expected 0 to {}", one.result(), kLast));
+    out.push_back({text::shown(one.name(), kLongestCheckName), static_cast<CheckResult>(one.result()),
+                   text::shown(one.is(), kLongestWhy), text::shown(one.expected(), kLongestWhy)});
+    if (out.back().name.empty()) return std::unexpected("a check of it has no name");
+  }
   return out;
 }
 

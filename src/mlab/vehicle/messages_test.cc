@@ -90,6 +90,49 @@ TEST(VehicleMessages, LimitsAreCheckedByName) {
   EXPECT_EQ(limits_of(said).error(), "its drive is 0, expected 1 to 3");
 }
 
+std::vector<Check> checks() {
+  return {{"watchdog", CheckResult::kPass, "brakes 0.5 s after its last command", ""},
+          {"parameter FS_ACTION", CheckResult::kFail, "is 0", "2"},
+          {"firmware", CheckResult::kUnknown, "is not asked for its version", ""}};
+}
+
+TEST(VehicleChecks, ArriveAsTheyWereSent) {
+  const auto arrived = decode_checks(encode(checks()));
+  ASSERT_TRUE(arrived) << arrived.error();
+  EXPECT_EQ(*arrived, checks());
+  EXPECT_EQ(decode_checks("")->size(), 0U);
+}
+
+TEST(VehicleChecks, AreBoundedAndFitForPeople) {
+  EXPECT_EQ(decode_checks(encode(std::vector<Check>(100, checks()[0])))->size(), kMostChecks);
+  wire::VehicleChecks many;
+  for (std::size_t i = 0; i <= kMostChecks; ++i) many.add_checks()->set_name("one");
+  EXPECT_EQ(decode_checks(many.SerializeAsString()).error(), "it has 65 checks, at most 64 are read");
+  wire::VehicleChecks other;
+  other.add_checks()->set_name("one");
+  other.mutable_checks(0)->set_result(4);
+  EXPECT_EQ(decode_checks(other.SerializeAsString()).error(), "result of a check is 4, expected 0 to 3");
+  other.mutable_checks(0)->set_result(1);
+  other.mutable_checks(0)->set_is(std::string(5000, 'x') + "\x1b[2J");
+  EXPECT_LT(decode_checks(other.SerializeAsString())->front().is.size(), 250U);
+  other.mutable_checks(0)->set_is("\x1b[2J");
+  EXPECT_EQ(decode_checks(other.SerializeAsString())->front().is, "\\x1b[2J");
+  other.mutable_checks(0)->clear_name();
+  EXPECT_EQ(decode_checks(other.SerializeAsString()).error(), "a check of it has no name");
+}
+
+// Likewise.
+RC_GTEST_PROP(VehicleChecks, OfAnyBytesAreShortTextsOrNothing, (const std::string& bytes)) {
+  std::string mixed = encode(checks());
+  mixed.replace(mixed.size() / 2, std::string::npos, bytes);
+  const auto arrived = decode_checks(mixed);
+  if (!arrived) return;
+  for (const Check& one : *arrived) {
+    RC_ASSERT(!one.name.empty());
+    RC_ASSERT(one.is.find('\x1b') == std::string::npos);
+  }
+}
+
 // Whatever anybody sends is read to a report of numbers, or refused.
 RC_GTEST_PROP(VehicleMessages, OfAnyBytesAreNumbersOrNothing, (const std::string& bytes)) {
   std::string mixed = message().SerializeAsString();

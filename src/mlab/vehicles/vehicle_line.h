@@ -14,6 +14,9 @@ namespace mlab::vehicles {
 inline std::string reports_topic(std::string_view vehicle) {
   return "vehicles/" + std::string(vehicle) + "/reports";
 }
+inline std::string checks_topic(std::string_view vehicle) {
+  return "vehicles/" + std::string(vehicle) + "/checks";
+}
 inline std::string commands_topic(std::string_view vehicle) {
   return "vehicles/" + std::string(vehicle) + "/commands";
 }

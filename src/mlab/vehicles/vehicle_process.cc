@@ -27,6 +27,7 @@ using vehicle::Clock;
 
 constexpr std::chrono::milliseconds kTick(20);
 constexpr std::chrono::milliseconds kReporting(50);
+constexpr std::chrono::milliseconds kChecking(1000);
 constexpr std::chrono::milliseconds kParting(200);  // in which the device is told to stop
 
 std::string_view word(vehicle::Readiness readiness) {
@@ -41,13 +42,14 @@ class DrivenDevice final : public agents::Companion {
  public:
   DrivenDevice(std::shared_ptr<vehicle::Device> device, std::string name,
                std::shared_ptr<agents::AgentLog> log, dds::Waiter waiter, dds::Reader commands,
-               dds::Writer reports, std::function<bool()> is_stopped)
+               dds::Writer reports, dds::Writer checks, std::function<bool()> is_stopped)
       : device_(std::move(device)),
         name_(std::move(name)),
         log_(std::move(log)),
         waiter_(std::move(waiter)),
         commands_(std::move(commands)),
         reports_(std::move(reports)),
+        checks_(std::move(checks)),
         server_(*device_, std::move(is_stopped)),
         thread_([this](const std::stop_token& stop) { serve(stop); }) {}
 
@@ -57,6 +59,7 @@ class DrivenDevice final : public agents::Companion {
   void serve(const std::stop_token& stop) {
     const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
     Clock::time_point next = Clock::now();
+    Clock::time_point next_checks = next;
     while (!stop.stop_requested()) {
       waiter_.wait(kTick);
       for (const dds::Arrival& one : commands_.take()) {
@@ -71,6 +74,9 @@ class DrivenDevice final : public agents::Companion {
       next = now + kReporting;
       // One that nobody takes is followed by the next.
       static_cast<void>(reports_.write(name_, server_.report(now)));
+      if (now < next_checks) continue;
+      next_checks = now + kChecking;
+      static_cast<void>(checks_.write(name_, vehicle::encode(device_->checks(now))));
     }
     const Clock::time_point last = Clock::now() + kParting;
     for (Clock::time_point now = Clock::now(); now < last; now = Clock::now()) {
@@ -102,6 +108,7 @@ class DrivenDevice final : public agents::Companion {
   dds::Waiter waiter_;
   dds::Reader commands_;
   dds::Writer reports_;
+  dds::Writer checks_;
   vehicle::Server server_;
   std::atomic<bool> is_driven_ = false;
   std::string told_state_;
@@ -115,7 +122,7 @@ class DrivenDevice final : public agents::Companion {
 agents::OfferedVehicle offer(std::shared_ptr<vehicle::Device> device, std::string name,
                              std::shared_ptr<agents::AgentLog> log) {
   agents::OfferedVehicle out;
-  out.said = vehicle::offered(device->name(), device->limits());
+  out.said = vehicle::offered(device->name(), device->limits(), device->is_simulated());
   out.begin = [device = std::move(device), name = std::move(name), log = std::move(log)](
                   dds::Participant& participant, std::function<bool()> is_stopped)
       -> std::expected<std::unique_ptr<agents::Companion>, std::string> {
@@ -125,8 +132,10 @@ agents::OfferedVehicle offer(std::shared_ptr<vehicle::Device> device, std::strin
     if (!commands) return std::unexpected(commands.error());
     auto reports = participant.writer(reports_topic(name), dds::ChannelKind::kLivePercepts);
     if (!reports) return std::unexpected(reports.error());
+    auto checks = participant.writer(checks_topic(name), dds::ChannelKind::kLivePercepts);
+    if (!checks) return std::unexpected(checks.error());
     return std::make_unique<DrivenDevice>(device, name, log, std::move(*waiter), std::move(*commands),
-                                          std::move(*reports), std::move(is_stopped));
+                                          std::move(*reports), std::move(*checks), std::move(is_stopped));
   };
   return out;
 }

@@ -268,6 +268,7 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.in_own_processes = options.robots == RobotsAt::kOwnProcesses;
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
+  out.gate = std::move(manner.gate);
   return out;
 }
 

@@ -51,6 +51,7 @@ struct Prepared {
   MissionClock clock;
   double speed = 0.0;
   std::shared_ptr<run::StopLine> stop_line;  // null: there is none
+  std::shared_ptr<preflight::Gate> gate;     // before vehicles; null: there are none
   text::Diagnostics warnings;                // of loading
   std::unique_ptr<RunRecording> recording;   // null: the run is not recorded
 };
@@ -76,6 +77,7 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
   out.clock = manner->clock;
   out.speed = manner->speed;
   out.stop_line = manner->settings.stop_line;
+  out.gate = manner->gate;
   text::Diagnostics& sink = out.warnings;
   const std::string folder = std::filesystem::path(options.mission).parent_path().string();
   robot::ProgramSources sources =
@@ -105,6 +107,25 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
     return std::nullopt;
   }
   return out;
+}
+
+// Whether the vehicles are checked; what is against it is said here.
+bool may_start(const Prepared& prepared) {
+  const std::string why = prepared.gate ? prepared.gate->why_not_start(*prepared.run->crew()) : "";
+  if (!why.empty()) fmt::print(stderr, "mlab run: {}\n", why);
+  return why.empty();
+}
+
+// Starts the mission. What its vehicles were let pass by is in the log, and in the recording, which begins
+// then.
+void execute(const Prepared& prepared, RunScreen& screen) {
+  const preflight::Gate::Passed passed = prepared.gate ? prepared.gate->passed() : preflight::Gate::Passed{};
+  if (!passed.said.empty())
+    screen.line(fmt::format("[{:9.1f} s] {}{}", prepared.run->time(),
+                            passed.is_unchecked ? colored("warning: ", Color::kWarning) : "", passed.said));
+  prepared.run->post(mission::event::Execute{});
+  if (!passed.said.empty() && prepared.recording)
+    prepared.recording->put_metadata({"preflight", {{"said", passed.said}, {"checklist", passed.checklist}}});
 }
 
 void start_recording(const RunOptions& options, Prepared& prepared) {
@@ -174,7 +195,7 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
   SharedStop stop(run, screen, prepared.stop_line.get(), options.network);
   if (prepared.stop_line) prepared.stop_line->settle();
   double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
-  run.post(mission::event::Execute{});
+  execute(prepared, screen);
   while (!was_interrupted()) {
     if (const double ahead = person.ahead(); ahead > 0.0) {
       const double before = steady_seconds();
@@ -240,6 +261,7 @@ int run(const RunOptions& options) {
   int status = kDone;
   std::optional<Prepared> prepared = prepare(options, status);
   if (!prepared) return status;
+  if (!may_start(*prepared)) return kFailed;
   start_recording(options, *prepared);
   run::MissionRun& run = *prepared->run;
   RunScreen screen(options.quiet);

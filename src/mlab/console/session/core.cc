@@ -77,7 +77,8 @@ SessionCore::SessionCore(SessionSettings settings, Session::Send send)
       project_({settings_.project_folder, settings_.example_folder}),
       documents_(project_, load_options(), settings_.state_folder),
       people_(welcome_of(settings_), std::move(send)),
-      run_(log_, settings_.speed, settings_.run.stop_line, [this] { inbox_.wake(); }),
+      run_(
+          log_, settings_.speed, settings_.run.stop_line, [this] { inbox_.wake(); }, settings_.gate),
       parameters_(run_, documents_, log_),
       bookmark_orders_({settings_, run_, log_, bookmarks_}),
       chronicle_({settings_, documents_, run_, people_, log_, bookmarks_.bookmarks}),

@@ -16,8 +16,8 @@ constexpr double kSlice = 0.008;
 }  // namespace
 
 RunControl::RunControl(EventLog& log, double speed, std::shared_ptr<run::StopLine> stop_line,
-                       std::function<void()> wake)
-    : log_(log), pace_(speed), stop_line_(std::move(stop_line)) {
+                       std::function<void()> wake, std::shared_ptr<preflight::Gate> gate)
+    : log_(log), pace_(speed), gate_(std::move(gate)), stop_line_(std::move(stop_line)) {
   if (!stop_line_) return;
   stop_line_->tell([this, wake = std::move(wake)] {
     stop_line_changed_ = true;
@@ -64,6 +64,7 @@ void RunControl::begin_run(std::unique_ptr<LiveRun> live) {
   breakpoints_.begin(live_ ? &live_->run() : nullptr);
   halted_.Clear();
   has_nothing_to_do_ = time_runs_ = false;
+  passed_ = {};
   teleoperations_ = {};
   ++run_number_;
   ++plan_revision_;
@@ -124,8 +125,29 @@ Answered RunControl::why_not_now() const {
   return std::nullopt;
 }
 
+Answered RunControl::why_not_start() {
+  if (!gate_ || !live_) return std::nullopt;
+  const std::string before = gate_->passed().said;
+  if (std::string why = gate_->why_not_start(*live_->crew()); !why.empty()) return why;
+  preflight::Gate::Passed passed = gate_->passed();
+  if (passed.said == before) return std::nullopt;
+  const Log::Kind kind = passed.is_unchecked ? Log::WARNING : Log::MESSAGE;
+  log_.add(sim_time(), {kind, passed.said, 0, "", {}, passed.is_unchecked});
+  passed_ = std::move(passed);
+  return std::nullopt;
+}
+
+// Its recording begins when it is started.
+void RunControl::record_preflight() {
+  history::Recorder* const recorder = live_->recorder();
+  if (passed_.said.empty() || recorder == nullptr) return;
+  if (recorder->put_metadata({"preflight", {{"said", passed_.said}, {"checklist", passed_.checklist}}}))
+    passed_ = {};
+}
+
 void RunControl::post(const mission::Event& event) {
   live_->run().post(event);
+  record_preflight();
   has_nothing_to_do_ = false;
   ++state_revision_;
   ++world_version_;

@@ -15,6 +15,7 @@
 #include "mlab/console/run/pace.h"
 #include "mlab/console/run/teleoperations.h"
 #include "mlab/console/session/request.h"
+#include "mlab/preflight/gate.h"
 
 namespace mlab::console {
 
@@ -26,8 +27,9 @@ class RunControl {
   /// @param speed  simulated seconds per second; 0: as fast as it goes
   /// @param stop_line  what the emergency stop is shared by; null: it is this one's own
   /// @param wake       called, by any thread, when something of it has changed; the session then looks again
+  /// @param gate       before its runs' vehicles; null: they have none
   RunControl(EventLog& log, double speed, std::shared_ptr<run::StopLine> stop_line,
-             std::function<void()> wake);
+             std::function<void()> wake, std::shared_ptr<preflight::Gate> gate);
   RunControl(const RunControl&) = delete;
   RunControl& operator=(const RunControl&) = delete;
   ~RunControl();
@@ -58,6 +60,9 @@ class RunControl {
 
   /// Why no command can be given now.
   Answered why_not_now() const;
+  /// Why nothing of the run may move now, apart from that: its vehicles are not checked. May take some
+  /// seconds, where they have to be looked at first.
+  Answered why_not_start();
   void post(const mission::Event& event);
   void note(const std::string& who, const std::string& what);
 
@@ -128,6 +133,7 @@ class RunControl {
   void begin_run(std::unique_ptr<LiveRun> live);
   void look_at_breakpoints();
   void pause();
+  void record_preflight();
 
   EventLog& log_;
   std::unique_ptr<LiveRun> live_;
@@ -135,6 +141,8 @@ class RunControl {
   Pace pace_;
   SpeedMeter meter_;
   CycleTimes cycle_times_;
+  std::shared_ptr<preflight::Gate> gate_;     // null: there is none
+  preflight::Gate::Passed passed_;            // of the run, until its recording has it
   std::shared_ptr<run::StopLine> stop_line_;  // null: there is none
   std::atomic<bool> stop_line_changed_ = true;
   std::atomic<bool> stop_wanted_ = false;

@@ -214,7 +214,12 @@ void RunMaker::adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run,
   }
   run_.adopt(crew, std::move(run), std::move(recorder));
   parameters_.apply_all();
-  if (trial_done_ && executes_trial_ && !run_.why_not_now()) run_.post(mission::event::Execute{});
+  if (trial_done_ && executes_trial_ && !run_.why_not_now()) {
+    if (const Answered refused = run_.why_not_start())
+      log_.add(run_.sim_time(), {Log::WARNING, *refused, 0, "", {}, true});
+    else
+      run_.post(mission::event::Execute{});
+  }
   answer_trial(run_.live() != nullptr ? "" : "it can't run: it has errors", problems);
 }
 
@@ -387,6 +392,9 @@ Answered RunMaker::typed(const Sender& sender, const Typed& typed, Reply& reply)
   encode_targets(run_.live()->run(), mission, read->commands, *reply.mutable_targets());
   if (typed.preview()) return std::nullopt;
   if (auto refused = run_.why_not_now()) return refused;
+  if (!read->commands.empty()) {
+    if (auto refused = run_.why_not_start()) return refused;
+  }
   log_.add(run_.sim_time(),
            {Log::OPERATOR, fmt::format("{} typed: {}", sender.client.name, typed.line()), 0, "", {}, false});
   if (read->edited) {

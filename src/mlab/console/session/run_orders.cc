@@ -35,6 +35,21 @@ void teleoperate(const run::MissionRun& run, mission::UnitCommand& command) {
   if (leader != nullptr) command.goal = run.fleet().pose(*leader).position;
 }
 
+// Of what is not started anything may move then.
+bool moves_robots(const Control& control) {
+  switch (control.action()) {
+    case Control::EXECUTE:
+    case Control::RESUME:
+    case Control::SINGLE_STEP:
+    case Control::SKIP_STEP:
+    case Control::SINGLE_CYCLE:
+    case Control::JUMP:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool has_running_robot(const run::MissionRun& run, const mission::UnitCommand& command) {
   return std::ranges::any_of(mission::members_of(run.mission(), command), [&](base::RobotId id) {
     const fleet::FleetRobot* robot = run.fleet().find(id);
@@ -76,6 +91,9 @@ Answered RunOrders::control(const Sender& sender, const Control& control) {
     return std::nullopt;
   }
   if (auto refused = why_not(control)) return refused;
+  if (moves_robots(control)) {
+    if (auto refused = run_.why_not_start()) return refused;
+  }
   const run::MissionRun& run = run_.live()->run();
   const bool has_ended = mode_of(run) == Status::ENDED;
   if (has_ended && control.action() != Control::ABORT) run_.forget_earlier_run();

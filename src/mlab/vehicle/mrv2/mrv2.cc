@@ -6,6 +6,7 @@
 #include <span>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -66,6 +67,7 @@ class Mrv2Device final : public Device {
   const Limits& limits() const override { return limits_; }
   void work(Clock::time_point now) override;
   const Report& report(Clock::time_point now) override;
+  std::vector<Check> checks(Clock::time_point now) override;
   void drive(const Command& command, Clock::time_point now) override;
   void stop(Clock::time_point now) override;
 
@@ -268,6 +270,28 @@ const Report& Mrv2Device::report(Clock::time_point now) {
   report_.battery = battery_;
   if (scan_.has_value() && now - scan_->at <= kSilent) report_.scans.push_back(*scan_);
   return report_;
+}
+
+std::vector<Check> Mrv2Device::checks(Clock::time_point now) {
+  std::vector<Check> out;
+  const std::string expected = fmt::format("at most {:.2g} s", limits_.standstill);
+  if (identity_.has_value())
+    out.push_back({"watchdog",
+                   identity_->watchdog <= limits_.standstill ? CheckResult::kPass : CheckResult::kFail,
+                   fmt::format("brakes {:.2g} s after its last command", identity_->watchdog), expected});
+  else
+    out.push_back({"watchdog", CheckResult::kUnknown, "has not yet told what it is", expected});
+  const auto of_flag = [&](std::string name, State::Flag flag, std::string is, std::string is_not) {
+    const bool is_set = (flags_ & flag) != 0;
+    if (is_heard(now))
+      out.push_back({std::move(name), is_set ? CheckResult::kFail : CheckResult::kPass,
+                     std::move(is_set ? is : is_not), ""});
+    else
+      out.push_back({std::move(name), CheckResult::kUnknown, "says nothing", ""});
+  };
+  of_flag("emergency stop", State::kStopPressed, "is pressed", "is not pressed");
+  of_flag("motors", State::kMotorFault, "says that one has failed", "says that none has failed");
+  return out;
 }
 
 /// What is wrong with a setting; empty: nothing.

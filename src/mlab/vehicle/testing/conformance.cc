@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "mlab/base/angle.h"
 
@@ -279,6 +282,19 @@ TEST_P(Conformance, IsReadyOnceItsVehicleIsHeard) {
   EXPECT_EQ(has_ranges, facts().has_ranges);
   EXPECT_EQ(device().report(now_).battery.has_value(), facts().has_battery);
   expect_standing("never told anything");
+}
+
+TEST_P(Conformance, HasNoCheckThatFailsOnceItIsReady) {
+  wait_until_ready();
+  const std::vector<Check> checks = device().checks(now_);
+  EXPECT_FALSE(device().is_simulated());
+  EXPECT_FALSE(checks.empty());
+  std::set<std::string> names;
+  for (const Check& one : checks) {
+    EXPECT_NE(one.result, CheckResult::kFail) << one.name << " " << one.is;
+    EXPECT_FALSE(one.is.empty()) << one.name;
+    EXPECT_TRUE(names.insert(one.name).second) << one.name << " is told twice";
+  }
 }
 
 TEST_P(Conformance, DoesWhatItIsTold) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -88,6 +89,15 @@ class TextRover final : public Device {
     report_.motion = motion_;
     report_.readiness = Readiness::kReady;
     return report_;
+  }
+
+  std::vector<Check> checks(Clock::time_point /*now*/) override {
+    const bool is_open = stream_->is_open();
+    return {{"line", is_open ? CheckResult::kPass : CheckResult::kFail, is_open ? "is open" : stream_->why(),
+             "is open"},
+            // It is what the rover is told with each command; nothing that it says confirms it.
+            {"watchdog", CheckResult::kUnknown, "does not say whether it brakes when a command is over",
+             fmt::format("stands within {} s after its last command: try it", kStandstill)}};
   }
 
   void drive(const Command& command, Clock::time_point now) override {

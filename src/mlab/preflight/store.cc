@@ -1,0 +1,97 @@
+#include "mlab/preflight/store.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "mlab/base/hash.h"
+#include "mlab/text/shown.h"
+
+namespace mlab::preflight {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kKeptFor = 24 * 3600.0;  // after it was signed [s]
+constexpr std::size_t kMostFiles = 1000;
+constexpr std::string_view kEnding = ".json";
+
+// One for each text in each fleet.
+std::string name_of(const Checklist& checklist) {
+  const std::string key = checklist.fleet + "/" + checklist.digest;
+  return fmt::format("{:016x}{}", base::hash_text(key), kEnding);
+}
+
+std::vector<fs::path> files_in(const std::string& folder) {
+  std::vector<fs::path> out;
+  std::error_code cannot;
+  for (fs::directory_iterator at(folder, cannot), end; !cannot && at != end && out.size() < kMostFiles;
+       at.increment(cannot)) {
+    if (at->path().extension() == kEnding) out.push_back(at->path());
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+std::optional<SignedChecklist> read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return file ? read_signed(text) : std::nullopt;
+}
+
+}  // namespace
+
+std::string Store::keep(const SignedChecklist& checklist) const {
+  if (folder_.empty()) return "neither XDG_STATE_HOME nor HOME names a folder to keep it in";
+  std::error_code cannot;
+  fs::create_directories(folder_, cannot);
+  if (cannot) return fmt::format("the folder `{}` can't be made: {}", folder_, cannot.message());
+  fs::permissions(folder_, fs::perms::owner_all, cannot);
+  for (const fs::path& one : files_in(folder_)) {
+    const auto old = read(one);
+    if (old && checklist.signature.at - old->signature.at > kKeptFor) fs::remove(one, cannot);
+  }
+  const fs::path path = fs::path(folder_) / name_of(checklist.checklist);
+  const fs::path part = path.string() + fmt::format(".{}.part", ::getpid());
+  {
+    std::ofstream file(part, std::ios::binary);
+    file << json_of(checklist);
+    if (!file.flush()) return fmt::format("`{}` can't be written", part.string());
+  }
+  fs::rename(part, path, cannot);
+  return cannot ? fmt::format("`{}` can't be written: {}", path.string(), cannot.message()) : "";
+}
+
+std::expected<SignedChecklist, std::string> Store::find(const Checklist& now, double at) const {
+  const std::string own = name_of(now);
+  std::string why = "none was signed for it";
+  double newest = -1.0;  // of those that don't hold; that of these very texts says best why
+  for (const fs::path& path : files_in(folder_)) {
+    auto found = read(path);
+    if (!found) {
+      if (path.filename() == own)
+        return std::unexpected(
+            fmt::format("the file of it, `{}`, can't be read: sign anew", text::shown(path.string(), 200)));
+      continue;
+    }
+    if (found->checklist.mission != now.mission || found->checklist.fleet != now.fleet) continue;
+    std::string reason = why_it_does_not_hold(*found, now, at);
+    if (reason.empty()) return *std::move(found);
+    const double age = path.filename() == own ? at + kKeptFor : found->signature.at;
+    if (age < newest) continue;
+    newest = age;
+    why = std::move(reason);
+  }
+  return std::unexpected(std::move(why));
+}
+
+}  // namespace mlab::preflight
