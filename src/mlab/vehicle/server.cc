@@ -119,6 +119,7 @@ std::string Server::report(Clock::time_point now) {
   message_.set_held_by(session_);
   message_.set_command(carried_out_);
   message_.set_is_stopped(is_stopped_());
+  message_.set_is_taken(is_taken_);
   told_at_[reported_ % kRemembered] = now;
   return message_.SerializeAsString();
 }
