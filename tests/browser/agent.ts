@@ -4,14 +4,14 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { onTestFinished } from "vitest";
 
-/** A running `mlab agent`, which ends with the test. */
+/** A running `mlab agent`, or the process of a vehicle, which ends with the test. */
 export class Agent {
   private readonly process: ChildProcess;
   private readonly state = mkdtempSync(join(tmpdir(), "mlab-agent-"));
   output = "";
 
-  private constructor(fleet: string, name: string) {
-    this.process = spawn(process.env.MLAB_COMMAND ?? "mlab", ["agent", "--fleet", fleet, "--name", name], {
+  private constructor(fleet: string, name: string, words: readonly string[]) {
+    this.process = spawn(process.env.MLAB_COMMAND ?? "mlab", [...words, "--fleet", fleet, "--name", name], {
       stdio: ["ignore", "pipe", "pipe"],
       env: { ...process.env, XDG_STATE_HOME: this.state },
     });
@@ -22,10 +22,19 @@ export class Agent {
     }
   }
 
-  static async start(fleet: string, name: string): Promise<Agent> {
-    const agent = new Agent(fleet, name);
+  static start(fleet: string, name: string): Promise<Agent> {
+    return Agent.begun(new Agent(fleet, name, ["agent"]), "waits for runs");
+  }
+
+  /** A vehicle that is simulated, in its process. `at`: `8,12,0`. */
+  static vehicle(fleet: string, name: string, at: string): Promise<Agent> {
+    const words = ["robot", "--binding", "simulated", "--at", at];
+    return Agent.begun(new Agent(fleet, name, words), "waits for a run to drive it");
+  }
+
+  private static async begun(agent: Agent, said: string): Promise<Agent> {
     onTestFinished(() => agent.stop());
-    await agent.says("waits for runs");
+    await agent.says(said);
     return agent;
   }
 

@@ -22,6 +22,7 @@ import {
   type Moment,
   type OtherFuture,
   type Plan,
+  type Preflight,
   type Project,
   type Questions_Question,
   type RobotDetail,
@@ -69,6 +70,8 @@ export interface Parts {
   journal: Journal | null;
   /** The mission's table of failsafes, the highest rank first. */
   failsafes: readonly Failsafes_Row[];
+  /** What is looked at and signed before the mission moves vehicles; null: the server does not say. */
+  preflight: Preflight | null;
   /** What may be tried with them. */
   failsafeBounds: Failsafes_Bounds | null;
   /** How its rows stand for robots that are watched for it, by id; announced at most ten times a second. */
@@ -156,6 +159,7 @@ export class Model extends Store<Parts> {
       journal: null,
       failsafes: [],
       failsafeBounds: null,
+      preflight: null,
       standings: new Map(),
       timeLine: null,
       bookmarks: null,
@@ -240,6 +244,7 @@ export class Model extends Store<Parts> {
       case "timeLine":
       case "bookmarks":
       case "moment":
+      case "preflight":
         this.set(body.case, body.value);
         break;
       case "otherFuture":

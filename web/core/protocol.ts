@@ -7,6 +7,7 @@ export * from "../generated/mlab/console_futures_pb.ts";
 export * from "../generated/mlab/console_map_pb.ts";
 export * from "../generated/mlab/console_orders_pb.ts";
 export * from "../generated/mlab/console_pb.ts";
+export * from "../generated/mlab/console_preflight_pb.ts";
 export * from "../generated/mlab/console_state_pb.ts";
 export * from "../generated/mlab/console_time_pb.ts";
 

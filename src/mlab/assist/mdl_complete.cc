@@ -188,7 +188,7 @@ class MissionCompleter {
       robot_types();
       return true;
     }
-    const std::size_t begin = has_type ? 3 : 1;  // of the condition
+    std::size_t begin = has_type ? 3 : 1;  // of the condition
     if (count() <= begin) {
       for (const mission::FailsafeConditionInfo& one : mission::kFailsafeConditions)
         out_.add(std::string(one.word), "keyword", std::string(one.help));
@@ -200,6 +200,12 @@ class MissionCompleter {
       places(any);
       return true;
     }
+    const bool has_share = is_written(begin, mission::info(mission::FailsafeCondition::kBattery).word);
+    if (has_share && count() < begin + 4) {
+      if (count() == begin + 1) out_.add("BELOW", "keyword", "per cent of the battery: `BELOW 30%`");
+      return true;
+    }
+    if (has_share) begin += 3;  // of what stands behind it
     if (is_written(count() - 1, "AFTER")) return true;
     if (count() > begin + 1 && !has_fence && !is_written(count() - 2, "AFTER")) return false;
     if (has_fence && count() > begin + 2) return false;

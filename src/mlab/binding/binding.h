@@ -7,11 +7,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mlab/base/id.h"
 #include "mlab/binding/body.h"
 #include "mlab/binding/radio.h"
+#include "mlab/binding/vehicle_state.h"
 #include "mlab/binding/workers.h"
 #include "mlab/binding/world_view.h"
 #include "mlab/geom/pose.h"
@@ -86,6 +88,8 @@ class Binding {
   virtual void take(const Heard& /*heard*/) {}
   /// What has to be known, beside what is heard, to make such bodies again, as bytes; empty: there are none.
   virtual std::vector<std::string> vehicles() const { return {}; }
+  /// What is known of the vehicle of that name, whether it is a robot's body by now or not.
+  virtual std::optional<VehicleState> vehicle(std::string_view /*name*/) const { return std::nullopt; }
 
   // ---- the cycle
 

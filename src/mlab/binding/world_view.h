@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "mlab/base/id.h"
 #include "mlab/binding/body.h"
+#include "mlab/binding/vehicle_state.h"
 #include "mlab/geom/pose.h"
 #include "mlab/percept/area_margin.h"
 #include "mlab/percept/needs.h"
@@ -52,12 +54,13 @@ using percept::kAreaMargin;
 struct BodyState {
   geom::Offset velocity;  ///< as driven in the last cycle [m/s, world]
   double speed = 0.0;  ///< along its heading, of bodies that drive so; in a turn more than the velocity [m/s]
-  double turn_rate = 0.0;        ///< likewise [rad/s]
-  double distance_driven = 0.0;  ///< since it was there [m]
-  std::uint32_t contacts = 0;    ///< how often it met something solid or another body
-  bool in_contact = false;       ///< it met something within the last kSameContact
-  base::ObjectId carried;        ///< 0: nothing
-  std::uint32_t run_over = 0;    ///< how often something that moves met it which it did not drive into
+  double turn_rate = 0.0;             ///< likewise [rad/s]
+  double distance_driven = 0.0;       ///< since it was there [m]
+  std::uint32_t contacts = 0;         ///< how often it met something solid or another body
+  bool in_contact = false;            ///< it met something within the last kSameContact
+  base::ObjectId carried;             ///< 0: nothing
+  std::uint32_t run_over = 0;         ///< how often something that moves met it which it did not drive into
+  std::optional<Upkeep> upkeep = {};  ///< of a vehicle; nothing: the body is made up
 };
 
 /// The world as who looks on sees it: consoles, reports, plots. It only reads, between two cycles, on one

@@ -31,7 +31,8 @@ std::vector<FailsafeRow> failsafe_rows(const text::SourcePtr& source) {
   for (const mission::Failsafe& one : mission->failsafes) {
     const mission::FailsafeConditionInfo& condition = mission::info(one.condition);
     out.push_back({out.size(), one.type_name,
-                   fmt::format("{}{}{}", condition.word, condition.has_fence ? " " : "", one.fence_name),
+                   fmt::format("{}{}{}{}", condition.word, condition.has_fence ? " " : "", one.fence_name,
+                               condition.has_share ? fmt::format(" BELOW {:g}%", 100.0 * one.share) : ""),
                    condition.may_last ? fmt::format("{:g} s", one.seconds) : "",
                    std::string(mission::info(one.action).word), place_of(one.place)});
   }

@@ -63,7 +63,7 @@ class FleetVehicles {
       const bool is_real = !said.is_simulated();
       has_real = has_real || is_real;
       if (is_real) *line = preflight::gated(name, std::move(*line), permit);
-      crewed.push_back({name, *limits, std::move(*line)});
+      crewed.push_back({name, *limits, std::move(*line), said.kind()});
     }
     if (has_real)
       facts_->expect(names);

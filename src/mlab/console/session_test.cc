@@ -442,10 +442,10 @@ TEST(Session, WhoOnlyWatchesIsRefusedAllThatIsTheOperators) {
   ASSERT_TRUE(wait_for(anna, Status::READY));
   Browser ben(session, "Ben");
   const std::set<std::string> for_anybody = {
-      "hello",        "acknowledge",     "watch",       "beat",          "emergency_stop", "complete",
-      "check",        "list_files",      "read_series", "take_operator", "pass_operator",  "find_definition",
-      "find_uses",    "read_text",       "read_said",   "try_failsafes", "look_back",      "read_past",
-      "find_moments", "read_changeable", "what_if",     "forget_future", "save_future"};
+      "hello",     "acknowledge",  "watch",           "beat",          "emergency_stop", "complete",
+      "check",     "list_files",   "read_series",     "take_operator", "pass_operator",  "find_definition",
+      "find_uses", "read_text",    "read_said",       "try_failsafes", "check_vehicles", "look_back",
+      "read_past", "find_moments", "read_changeable", "what_if",       "forget_future",  "save_future"};
   const google::protobuf::OneofDescriptor& all = *ToServer::descriptor()->FindOneofByName("body");
   for (int i = 0; i < all.field_count(); ++i) {
     if (for_anybody.contains(all.field(i)->name())) continue;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "mlab/robot/program/program_runner.h"
+
 namespace mlab::fleet {
 namespace {
 
@@ -19,6 +21,8 @@ constexpr double kReverseSpeed = 0.5;   // [m/s]
 constexpr double kReverseSpin = 1.0;    // [rad/s]
 constexpr double kAlongTheLine =
     0.7;                            // cosine between a heading and the way inside, below which it leads along
+constexpr double kCharged = 0.05;   // more than it takes, of who had too little
+constexpr double kLowOn = 0.2;      // a battery is watched from so far above the share on
 constexpr double kTurnsBack = 0.5;  // nearer to a fence it has to turn back to be free again [m]
 constexpr double kPassingSphere = Situation::kSight;
 constexpr double kMostPush = 2.0;  // against one step towards the goal
@@ -45,10 +49,22 @@ geom::Vector past(geom::Vector thing, double radius, geom::Vector way, const Sit
   return (away + side) * share;
 }
 
+// Of percepts that its program answers, and of what its vehicle has said, whichever is older [s]; 0: all is
+// in time.
+double stale_for(const Situation& situation) {
+  const double motion_age = situation.vehicle ? situation.vehicle->motion_age : 0.0;
+  return std::max(situation.percept_age, motion_age > robot::kActionPatience ? motion_age : 0.0);
+}
+
+// The share that is known to be left; what nobody knows is not relied on.
+std::optional<double> battery_of(const binding::Upkeep& vehicle) {
+  return vehicle.battery_age <= Situation::kBatteryPatience ? vehicle.battery : std::nullopt;
+}
+
 // For how long the condition has held, where that is measured and not counted in cycles [s].
 std::optional<double> known_to_last(FailsafeCondition condition, const Situation& situation) {
   if (condition == FailsafeCondition::kLinkLost) return situation.silence;
-  if (condition == FailsafeCondition::kPerceptsStale) return situation.percept_age;
+  if (condition == FailsafeCondition::kPerceptsStale) return stale_for(situation);
   return std::nullopt;
 }
 
@@ -156,11 +172,20 @@ bool Failsafes::holds(std::size_t row, const Situation& situation, const percept
     case FailsafeCondition::kLinkLost:
       return situation.silence > 0.0;
     case FailsafeCondition::kPerceptsStale:
-      return situation.percept_age > 0.0;
+      return stale_for(situation) > 0.0;
     case FailsafeCondition::kOperatorAbsent:
       return situation.lacks_operator;
+    case FailsafeCondition::kBattery:
+      return situation.vehicle && lacks_battery(row, *situation.vehicle, state);
   }
   return false;
+}
+
+// A battery that recovers while its vehicle stands is not charged for that.
+bool Failsafes::lacks_battery(std::size_t row, const binding::Upkeep& vehicle,
+                              const FailsafeState& state) const {
+  if (!battery_of(vehicle)) return vehicle.battery_age > Situation::kBatteryPatience;
+  return *vehicle.battery < std::min(1.0, rows_[row].share + (state.is_met[row] ? kCharged : 0.0));
 }
 
 RowStanding Failsafes::standing(std::size_t row, const Situation& situation, const percept::Action& action,
@@ -173,6 +198,12 @@ RowStanding Failsafes::standing(std::size_t row, const Situation& situation, con
     const double needed = Fence::reach(*situation.kinematics, action, situation.motion, dt) + kTurnsBack;
     out.measure = room;
     out.used = room > needed ? needed / room : 1.0;
+  } else if (rows_[row].condition == FailsafeCondition::kBattery) {
+    const std::optional<double> left = situation.vehicle ? battery_of(*situation.vehicle) : std::nullopt;
+    out.measure = left.value_or(-1.0);
+    const double above = left ? *left - rows_[row].share : kLowOn;
+    const double spent = std::clamp(1.0 - above / kLowOn, 0.0, 1.0);
+    out.used = state.is_met[row] ? 1.0 : spent;
   } else {
     const double seconds = rows_[row].seconds;
     out.measure = state.held[row];

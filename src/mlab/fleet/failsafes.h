@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mlab/binding/body.h"
+#include "mlab/binding/vehicle_state.h"
 #include "mlab/fleet/fence.h"
 #include "mlab/geom/pose.h"
 #include "mlab/mission/failsafe.h"
@@ -21,6 +22,9 @@ namespace mlab::fleet {
 struct Situation {
   std::uint16_t rows = 0xffff;           ///< those of the table that are the robot's, a bit for each
   static constexpr double kSight = 5.0;  ///< how far a robot that returns has to see [m]
+  /// A battery of which nothing has been told for so long counts as empty [s]: vehicles tell of it every few
+  /// seconds.
+  static constexpr double kBatteryPatience = 10.0;
   Motion motion;
   geom::Point home;  ///< where it was started [m, world]
   const binding::Kinematics* kinematics = nullptr;
@@ -31,6 +35,7 @@ struct Situation {
   double silence = 0.0;                       ///< so long nothing has been heard of its program [s]
   double percept_age = 0.0;                   ///< so old is what its action answers [s]; 0: it is in time
   bool lacks_operator = false;                ///< it is under teleoperation, and nobody holds the stick
+  std::optional<binding::Upkeep> vehicle;     ///< that is its body; nothing: its body is made up
   std::uint32_t order = 0;                    ///< number of the order that it carries out
   bool is_steered = false;                    ///< a person steers it
   /// What it senses around it; only a robot that returns has to know.
@@ -66,7 +71,7 @@ struct RowStanding {
   State state = State::kOthers;
   double used = 0.0;  ///< share of what it takes, 0 .. 1
   /// For how long its condition has held [s]; of a fence, how far the body is from the line, beyond it less
-  /// than 0 [m].
+  /// than 0 [m]; of a battery the share that is left, less than 0 where that is not known.
   double measure = 0.0;
 
   static constexpr double kNearFrom = 0.5;  ///< of `used`
@@ -132,6 +137,7 @@ class Failsafes {
   bool holds(std::size_t row, const Situation& situation, const percept::Action& wanted, double dt,
              const FailsafeState& state) const;
   bool makes_no_way(const Situation& situation, const percept::Action& wanted, FailsafeState& state) const;
+  bool lacks_battery(std::size_t row, const binding::Upkeep& vehicle, const FailsafeState& state) const;
   std::uint16_t newly_met(const Situation& situation, const percept::Action& wanted, double dt,
                           FailsafeState& state) const;
   std::optional<std::size_t> begin(const Situation& situation, FailsafeState& state) const;

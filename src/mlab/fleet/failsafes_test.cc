@@ -109,6 +109,72 @@ TEST(Failsafes, HoldWhoActsOnPerceptsThatAreTooOldUntilTheyAreNot) {
   EXPECT_TRUE(robot.step().is_over);
 }
 
+TEST(Failsafes, HoldTheRobotOfAVehicleThatHasNotSaidForTooLongWhereItIs) {
+  Robot robot({row(FailsafeCondition::kPerceptsStale, FailsafeAction::kHold, 1.0)});
+  robot.situation.vehicle = binding::Upkeep{.motion_age = 0.4};
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(robot.step().triggered) << "in time, and always as late";
+  robot.situation.vehicle->motion_age = 0.9;
+  EXPECT_FALSE(robot.step().triggered);
+  robot.situation.vehicle->motion_age = 1.0;
+  EXPECT_EQ(robot.step().triggered, 0U);
+  robot.situation.vehicle->motion_age = 0.1;
+  EXPECT_TRUE(robot.step().is_over);
+}
+
+Failsafe below(double share, double seconds) {
+  Failsafe out = row(FailsafeCondition::kBattery, FailsafeAction::kHold, seconds);
+  out.share = share;
+  return out;
+}
+
+TEST(Failsafes, HoldWhoseBatteryIsBelowTheShareUntilItWasCharged) {
+  Robot robot({below(0.3, 0.25)});
+  robot.situation.vehicle = binding::Upkeep{.battery = 0.3};
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(robot.step().triggered) << "not below";
+  robot.situation.vehicle->battery = 0.29;
+  EXPECT_FALSE(robot.step().triggered);
+  EXPECT_FALSE(robot.step().triggered);
+  EXPECT_EQ(robot.step().triggered, 0U);
+  EXPECT_FALSE(robot.action.drives);
+  robot.situation.vehicle->battery = 0.34;
+  EXPECT_FALSE(robot.step().is_over) << "without its load it reads more, and is as empty as before";
+  robot.situation.vehicle->battery = 0.35;
+  EXPECT_TRUE(robot.step().is_over);
+}
+
+TEST(Failsafes, TakeABatteryThatIsNotToldOfForOneWithTooLittle) {
+  for (const std::optional<double> told : {std::optional<double>(), std::optional<double>(0.9)}) {
+    Robot robot({below(0.3, 0.0)});
+    robot.situation.vehicle = binding::Upkeep{.battery = told, .battery_age = Situation::kBatteryPatience};
+    EXPECT_FALSE(robot.step().triggered) << "it may still tell";
+    robot.situation.vehicle->battery_age += 0.1;
+    EXPECT_EQ(robot.step().triggered, 0U);
+    EXPECT_LT(robot.failsafes.standing(0, robot.situation, robot.action, kCycle, robot.state).measure, 0.0);
+    robot.situation.vehicle = binding::Upkeep{.battery = 0.9, .battery_age = 0.0};
+    EXPECT_TRUE(robot.step().is_over);
+  }
+}
+
+TEST(Failsafes, LookAtNoBatteryOfABodyThatIsMadeUp) {
+  Robot robot({below(1.0, 0.0)});
+  for (int i = 0; i < 200; ++i) EXPECT_FALSE(robot.step().triggered);
+}
+
+TEST(Failsafes, OfABatteryTellHowNearItIsToTheShare) {
+  Robot robot({below(0.3, 0.0)});
+  const auto standing = [&](double battery) {
+    robot.situation.vehicle = binding::Upkeep{.battery = battery};
+    robot.step();
+    return robot.failsafes.standing(0, robot.situation, robot.action, kCycle, robot.state);
+  };
+  EXPECT_EQ(standing(0.9).used, 0.0);
+  EXPECT_NEAR(standing(0.45).used, 0.25, 1e-9);
+  EXPECT_EQ(standing(0.45).measure, 0.45);
+  EXPECT_EQ(standing(0.45).state, RowStanding::State::kArmed);
+  EXPECT_EQ(standing(0.35).state, RowStanding::State::kNear);
+  EXPECT_EQ(standing(0.25).state, RowStanding::State::kActive);
+}
+
 TEST(Failsafes, HoldWhomNobodySteersUntilSomebodyTakesTheStick) {
   Robot robot({row(FailsafeCondition::kOperatorAbsent, FailsafeAction::kReturn, 0.25)});
   robot.situation.home = {50, 0};

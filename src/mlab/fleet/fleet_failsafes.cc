@@ -66,6 +66,7 @@ Situation Fleet::situation(const FleetRobot& robot) const {
   const binding::BodyState body = binding_.view().body(robot.body);
   out.motion = {now_.poses[index_of(robot)], {body.velocity, body.speed, body.turn_rate}};
   out.home = robot.start.position;
+  out.vehicle = body.upkeep;
   if (index_of(robot) >= now_.seen.size() || robot.runner == nullptr) return out;
   const SeenByFailsafes& seen = now_.seen[index_of(robot)];
   out.is_in_contact = seen.touches;
@@ -100,14 +101,23 @@ std::vector<RowStanding> Fleet::standings(const FleetRobot& robot, double dt) co
   const bool is_guarded = robot.life == RobotLife::kRunning ||
                           (robot.life == RobotLife::kFaulted && now_.failsafes->drives(robot.failsafe));
   const bool is_in_real_time = robot.runner != nullptr && robot.runner->punctuality() != nullptr;
-  const auto may_come = [&](mission::FailsafeWatch watch) {
-    return watch == mission::FailsafeWatch::kRunning ||
-           (watch == mission::FailsafeWatch::kRealTime ? is_in_real_time : robot.is_teleoperated);
+  const auto may_come = [&](mission::FailsafeCondition condition) {
+    switch (mission::info(condition).watch) {
+      case mission::FailsafeWatch::kRunning:
+        return true;
+      case mission::FailsafeWatch::kRealTime:
+        // What a vehicle says is looked at wherever the program is computed.
+        return is_in_real_time || (condition == mission::FailsafeCondition::kPerceptsStale && now.vehicle);
+      case mission::FailsafeWatch::kTeleoperated:
+        return robot.is_teleoperated;
+      case mission::FailsafeWatch::kVehicle:
+        return now.vehicle.has_value();
+    }
+    return false;
   };
   for (std::size_t i = 0; i < now_.failsafes->rows().size(); ++i) {
     RowStanding& row = out.emplace_back(now_.failsafes->standing(i, now, robot.action, dt, robot.failsafe));
-    const bool is_looked_at =
-        is_guarded && may_come(mission::info(now_.failsafes->rows()[i].condition).watch);
+    const bool is_looked_at = is_guarded && may_come(now_.failsafes->rows()[i].condition);
     if (!is_looked_at && row.state != State::kOthers && row.state != State::kActive)
       row = {.state = State::kOff};
   }

@@ -21,7 +21,8 @@ using What = WhatIfEvent::What;
 
 constexpr double kStandsStill = 1e-3;  // slower than this [m/s]
 constexpr double kAfterwards = 1.0;    // it is watched for so long at least when all is over [s]
-constexpr double kMostWork = 4e6;      // as in work_of_cycle: less than a person would notice
+constexpr binding::Upkeep kFull = {.motion_age = 0.0, .battery = 1.0, .battery_age = 0.0};
+constexpr double kMostWork = 4e6;  // as in work_of_cycle: less than a person would notice
 
 bool is_within(double value, double low, double high) {
   return value >= low && value <= high;  // false for what is no number
@@ -82,6 +83,7 @@ class Trial {
     now_.silence = now_.percept_age = 0.0;
     now_.order = 0;
     now_.is_steered = now_.is_in_contact = now_.lacks_operator = false;
+    now_.vehicle = kFull;
     out_.most_used.resize(failsafes.rows().size());
   }
 
@@ -164,6 +166,7 @@ class Trial {
     const double silence = age(i, FailsafeCondition::kLinkLost);
     now_.silence = silence > robot::kActionPatience ? silence : 0.0;
     now_.percept_age = age(i, FailsafeCondition::kPerceptsStale);
+    now_.vehicle->battery = lasts_in(i, FailsafeCondition::kBattery) ? 0.0 : 1.0;
     now_.is_in_contact = lasts_in(i, FailsafeCondition::kInContact);
     now_.lacks_operator = lasts_in(i, FailsafeCondition::kOperatorAbsent);
     now_.is_steered = !now_.lacks_operator && asked_.lasts(FailsafeCondition::kOperatorAbsent) > 0.0;

@@ -53,6 +53,18 @@ double when(const WhatIfOutcome& outcome, std::size_t row, What what) {
   return -1.0;
 }
 
+TEST(WhatIf, AnEmptyBatteryMeetsEveryRowOfBatteriesAfterItsTime) {
+  Failsafe warns = row(FailsafeCondition::kBattery, FailsafeAction::kContinue, 0.0);
+  warns.share = 0.5;
+  Failsafe holds = row(FailsafeCondition::kBattery, FailsafeAction::kHold, 2.0);
+  holds.share = 0.2;
+  Tried robot({holds, warns});
+  const WhatIfOutcome outcome = robot.of({.lasting = lasting({{FailsafeCondition::kBattery, 3.0}})});
+  EXPECT_NEAR(when(outcome, 1, What::kActs), kTenth, 1e-9);
+  EXPECT_NEAR(when(outcome, 0, What::kActs), 2.0, 2.0 * kTenth);
+  EXPECT_GT(when(outcome, 0, What::kIsOver), 3.0);
+}
+
 TEST(WhatIf, WhereNothingIsWrongNothingHappens) {
   Tried robot({row(FailsafeCondition::kInContact, FailsafeAction::kHold, 0.5),
                row(FailsafeCondition::kStuck, FailsafeAction::kStop, 30.0)});

@@ -22,12 +22,13 @@ enum class FailsafeCondition : std::uint8_t {
   kLinkLost,
   kPerceptsStale,
   kOperatorAbsent,
+  kBattery,
 };
 /// What becomes of the robot then.
 enum class FailsafeAction : std::uint8_t { kHold, kStop, kReturn, kContinue, kReverseInside };
 
 /// When a condition is looked at: it can't come true otherwise.
-enum class FailsafeWatch : std::uint8_t { kRunning, kRealTime, kTeleoperated };
+enum class FailsafeWatch : std::uint8_t { kRunning, kRealTime, kTeleoperated, kVehicle };
 
 /// All that is to be known of a condition. Parser, printer, checks, completion and the documentation take it
 /// from here.
@@ -35,6 +36,7 @@ struct FailsafeConditionInfo {
   FailsafeCondition condition;
   std::string_view word;         ///< `LINK-LOST`
   bool has_fence = false;        ///< a closed line of the overlay stands behind it
+  bool has_share = false;        ///< `BELOW 30%` stands behind it
   bool may_last = false;         ///< AFTER says for how long it has to hold
   double default_seconds = 0.0;  ///< without AFTER [s]
   FailsafeWatch watch = FailsafeWatch::kRunning;
@@ -69,8 +71,9 @@ inline constexpr std::array kFailsafeConditions = {
                           .default_seconds = 1.0,
                           .watch = FailsafeWatch::kRealTime,
                           .help = "with --real-time: what it does answers percepts that are so old, because "
-                                  "they or its answers are long on their way, or don't arrive. Its program "
-                                  "acts on none that came more than half a second ago in any case"},
+                                  "they or its answers are long on their way, or don't arrive; of a vehicle "
+                                  "also: it has not said for so long where it is. Its program acts on none "
+                                  "that came more than half a second ago in any case"},
     FailsafeConditionInfo{.condition = FailsafeCondition::kOperatorAbsent,
                           .word = "OPERATOR-ABSENT",
                           .may_last = true,
@@ -79,6 +82,16 @@ inline constexpr std::array kFailsafeConditions = {
                           .help = "under teleoperation: nobody holds the stick, because he let go of it, his "
                                   "console is gone, or nothing comes from there. The stick counts as let go "
                                   "half a second after its last message in any case"},
+    FailsafeConditionInfo{.condition = FailsafeCondition::kBattery,
+                          .word = "BATTERY",
+                          .has_share = true,
+                          .may_last = true,
+                          .default_seconds = 5.0,
+                          .watch = FailsafeWatch::kVehicle,
+                          .help =
+                              "of a vehicle: less than this share of its battery is left, as it says. Where "
+                              "it has not said so for 10 s, or never, that counts as too little. A robot "
+                              "whose body is simulated has no battery, and this never holds"},
 };
 static_assert(base::has_a_row_for_each<kFailsafeConditions, &FailsafeConditionInfo::condition>());
 
@@ -122,6 +135,7 @@ struct Failsafe {
   std::string type_name;           ///< whose it is, as written; empty: of all robots
   std::vector<std::string> types;  ///< the same, by the names of robot types: a society has several
   double seconds = 0.0;            ///< for how long the condition has to hold [s]
+  double share = 0.0;              ///< BATTERY: below which it holds, of what it takes when full, 0 .. 1
   std::string fence_name;          ///< OUTSIDE: as written
   std::vector<geom::Point> fence;  ///< OUTSIDE: its corners, closed by itself, at least three [m, world]
   text::Place place;               ///< of its first word
@@ -129,7 +143,7 @@ struct Failsafe {
   /// They do the same, wherever they stand.
   bool is_same(const Failsafe& other) const {
     return condition == other.condition && action == other.action && seconds == other.seconds &&
-           fence == other.fence && types == other.types;
+           share == other.share && fence == other.fence && types == other.types;
   }
   bool is_of(std::string_view type) const {
     return types.empty() || std::ranges::find(types, type) != types.end();

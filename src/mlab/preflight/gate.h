@@ -70,6 +70,9 @@ class Gate {
   /// @return  why it may not start, and what is to be done; empty: it may
   std::string why_not_start(const run::Crew& crew);
 
+  /// As Parts::unchecked.
+  const std::string& unchecked() const { return parts_.unchecked; }
+
   /// For the vehicles of a run that is being made.
   std::shared_ptr<Permit> new_permit();
 

@@ -25,6 +25,9 @@ class RecordingBinding final : public binding::Binding {
   void hear(std::vector<binding::Heard>& out) override { inner_->hear(out); }
   void take(const binding::Heard& heard) override { inner_->take(heard); }
   std::vector<std::string> vehicles() const override { return inner_->vehicles(); }
+  std::optional<binding::VehicleState> vehicle(std::string_view name) const override {
+    return inner_->vehicle(name);
+  }
   void percepts(std::span<const binding::Sensing> robots, int worker) override;
   void carry_out(std::span<const percept::Action> actions, double dt) override;
   void poses(std::span<const binding::BodyIndex> bodies, std::span<geom::Pose> out) const override {

@@ -84,6 +84,13 @@ class MissionRun {
   /// Called for all that comes in from outside, before it has any effect.
   /// As binding::Binding::vehicles.
   std::vector<std::string> vehicles() const { return binding_->vehicles(); }
+  /// As binding::Binding::vehicle.
+  std::optional<binding::VehicleState> vehicle(std::string_view name) const {
+    return binding_->vehicle(name);
+  }
+  /// Takes what bodies that are not simulated have said, as each cycle does: for who looks at a run that
+  /// stands.
+  void hear_bodies();
 
   using InputObserver = std::function<void(const Moment&, const Input&)>;
   void set_input_observer(InputObserver observer) { input_observer_ = std::move(observer); }
@@ -216,8 +223,6 @@ class MissionRun {
   /// Something comes in.
   void note(const Input& input);
   void hear(const binding::Heard& heard);
-  /// Takes what has come from bodies that are not simulated.
-  void hear_bodies();
   void carry_out(const mission::Event& event);
   void change_world(const overlay::Overlay& before, const overlay::Overlay& after);
   void tell_moved(const std::vector<base::RobotId>& moved, std::string_view by);

@@ -47,6 +47,7 @@ class VehicleBodies : public testing::Test {
     world.discs = {{{13.0, 20.0}, 1.0}};  // of the map: the vehicle does not see it by that
     Crewed crewed;
     crewed.name = "veh-1";
+    crewed.kind = "MAVLink rover at udp:14550";
     crewed.limits.kinematics.drive = binding::Drive::kDifferential;
     crewed.limits.kinematics.max_speed = 0.5;
     crewed.limits.radius = 0.4;
@@ -68,10 +69,12 @@ class VehicleBodies : public testing::Test {
     scan.distances = {std::numeric_limits<float>::infinity(), 2.0F, std::numeric_limits<float>::infinity(),
                       std::numeric_limits<float>::infinity()};
     report.scans.push_back(scan);
+    if (battery_) report.battery = Battery{*battery_, 24.5, {}};
     wire::VehicleReport message;
     encode(report, {}, message);
     message.set_number(++number_);
     message.set_held_by(held_by);
+    message.set_command(carried_out_);
     radio_->said.push_back(message.SerializeAsString());
   }
   std::expected<binding::Placement, std::string> embody(std::uint32_t robot, double x, double y) {
@@ -121,6 +124,8 @@ class VehicleBodies : public testing::Test {
   std::shared_ptr<Radio> radio_ = std::make_shared<Radio>();
   std::unique_ptr<Bodies> bodies_;
   std::uint64_t number_ = 0;
+  std::uint64_t carried_out_ = 0;
+  std::optional<double> battery_;
   std::vector<binding::Heard> heard_;
 };
 
@@ -299,6 +304,80 @@ TEST_F(VehicleBodies, DoTheSameWhenTheSameIsTakenAgain) {
   ailments.clear();
   again->health(ailments);
   EXPECT_TRUE(ailments.empty());
+}
+
+TEST_F(VehicleBodies, AreToldToPeopleAsTheVehicleSaysThatItIs) {
+  using State = binding::VehicleState;
+  EXPECT_EQ(bodies_->vehicle("veh-2"), std::nullopt);
+  const auto unheard = bodies_->vehicle("veh-1");
+  ASSERT_TRUE(unheard);
+  EXPECT_EQ(unheard->readiness, State::Readiness::kUnheard);
+  EXPECT_EQ(unheard->kind, "MAVLink rover at udp:14550");
+  battery_ = 0.42;
+  say({{10.0, 20.0}, 0.0}, false, Readiness::kNotReady, 0);
+  ASSERT_TRUE(embody(1, 10.0, 20.0));
+  const auto waiting = bodies_->vehicle("veh-1");
+  EXPECT_EQ(waiting->readiness, State::Readiness::kNotReady);
+  EXPECT_EQ(waiting->why, "is not ready");
+  EXPECT_EQ(waiting->driver, State::Driver::kNobody);
+  EXPECT_FALSE(waiting->is_global);
+  ASSERT_TRUE(waiting->battery);
+  EXPECT_EQ(waiting->battery->share, 0.42);
+  EXPECT_EQ(waiting->battery->voltage, 24.5);
+  ASSERT_EQ(waiting->sensors.size(), 1U);
+  EXPECT_EQ(waiting->sensors[0].beams, 4U);
+  EXPECT_EQ(waiting->sensors[0].farthest, 10.0);
+
+  // Nothing more is told of its battery, and a pilot takes it.
+  battery_.reset();
+  for (int i = 0; i < 4; ++i) carry_out({ahead(0.5)});
+  say({{10.2, 20.0}, 0.0}, false, Readiness::kTaken);
+  hear();
+  carry_out({ahead(0.5)});
+  const auto taken = bodies_->vehicle("veh-1");
+  EXPECT_EQ(taken->driver, State::Driver::kThisRun);
+  EXPECT_TRUE(taken->is_taken);
+  EXPECT_NEAR(taken->age, 0.1, 1e-9);
+  ASSERT_TRUE(taken->battery) << "it has not become unknown what it said";
+  EXPECT_NEAR(taken->battery->age, 0.5, 1e-9);
+}
+
+TEST_F(VehicleBodies, KnowHowLongACommandTakesToTheVehicleAndBack) {
+  say({{10.0, 20.0}, 0.0});
+  ASSERT_TRUE(embody(1, 10.0, 20.0));
+  EXPECT_EQ(bodies_->vehicle("veh-1")->trip, std::nullopt);
+  for (int i = 0; i < 5; ++i) carry_out({ahead(0.5)});  // the commands 1 to 5
+  carried_out_ = 3;
+  say({{10.0, 20.0}, 0.0});
+  hear();
+  ASSERT_TRUE(bodies_->vehicle("veh-1")->trip);
+  EXPECT_NEAR(*bodies_->vehicle("veh-1")->trip, 0.3, 1e-9);
+  carried_out_ = 99;  // that was never sent
+  say({{10.0, 20.0}, 0.0});
+  hear();
+  EXPECT_EQ(bodies_->vehicle("veh-1")->trip, std::nullopt);
+}
+
+TEST_F(VehicleBodies, SayWhatFailsafesLookAt) {
+  say({{10.0, 20.0}, 0.0});
+  const auto vehicle = embody(1, 10.0, 20.0);
+  const auto other = embody(2, 30.0, 20.0);
+  ASSERT_TRUE(vehicle && other);
+  EXPECT_FALSE(bodies_->view().body(other->body).upkeep) << "it is made up";
+  for (int i = 0; i < 20; ++i) carry_out({ahead(0.5), {}});
+  auto upkeep = bodies_->view().body(vehicle->body).upkeep;
+  ASSERT_TRUE(upkeep);
+  EXPECT_NEAR(upkeep->motion_age, 2.0, 1e-9);
+  EXPECT_EQ(upkeep->battery, std::nullopt);
+  EXPECT_NEAR(upkeep->battery_age, 2.0, 1e-9) << "for so long it could have told";
+  battery_ = 0.7;
+  say({{10.0, 20.0}, 0.0});
+  hear();
+  carry_out({ahead(0.5), {}});
+  upkeep = bodies_->view().body(vehicle->body).upkeep;
+  EXPECT_EQ(upkeep->battery, 0.7);
+  EXPECT_NEAR(upkeep->battery_age, 0.1, 1e-9);
+  EXPECT_NEAR(upkeep->motion_age, 0.1, 1e-9);
 }
 
 TEST_F(VehicleBodies, ThatAreThereCanNotBePutBack) {

@@ -9,8 +9,8 @@ namespace mlab::tables {
 std::string failsafe_condition_documentation() {
   std::string out = "| condition | without AFTER | it holds while |\n|---|---|---|\n";
   for (const mission::FailsafeConditionInfo& one : mission::kFailsafeConditions) {
-    out += fmt::format("| `{}{}{}` | {} | {} |\n", one.word, one.has_fence ? " boundary" : "",
-                       one.may_last ? " [AFTER seconds]" : "",
+    const std::string_view operand = one.has_fence ? " boundary" : one.has_share ? " BELOW share%" : "";
+    out += fmt::format("| `{}{}{}` | {} | {} |\n", one.word, operand, one.may_last ? " [AFTER seconds]" : "",
                        one.may_last ? fmt::format("{:g} s", one.default_seconds) : "at once", one.help);
   }
   return out;

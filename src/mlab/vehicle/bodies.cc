@@ -9,6 +9,7 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/vehicle/earth.h"
+#include "mlab/text/shown.h"
 #include "mlab/vehicle/messages.h"
 
 namespace mlab::vehicle {
@@ -19,6 +20,7 @@ using binding::BodyIndex;
 constexpr double kSilencePatience = 5.0;  // [s]
 constexpr double kReadyPatience = 10.0;   // [s]
 constexpr double kFixPatience = 2.0;      // that it has not said where on the Earth it is [s]
+constexpr std::size_t kLongestKind = 64;  // characters
 constexpr double kMovedBy = 0.5;          // from where the mission has it start, that is told [m]
 
 // Where something stands that stands there in the frame.
@@ -46,6 +48,29 @@ std::string why_not_ready(const Report& report) {
   if (report.readiness == Readiness::kAbsent) return "has no device";
   if (report.readiness == Readiness::kSilent) return "says nothing to its process";
   return report.readiness == Readiness::kFaulty ? "is faulty" : "is not ready";
+}
+
+const std::string& kind_of(const Crewed& crewed) {
+  return crewed.kind.empty() ? crewed.name : crewed.kind;
+}
+
+binding::VehicleState::Readiness told(Readiness readiness) {
+  using Told = binding::VehicleState::Readiness;
+  switch (readiness) {
+    case Readiness::kAbsent:
+      return Told::kAbsent;
+    case Readiness::kSilent:
+      return Told::kSilent;
+    case Readiness::kNotReady:
+    case Readiness::kStandby:
+    case Readiness::kTaken:
+      return Told::kNotReady;
+    case Readiness::kReady:
+      return Told::kReady;
+    case Readiness::kFaulty:
+      return Told::kFaulty;
+  }
+  return Told::kFaulty;
 }
 
 }  // namespace
@@ -197,6 +222,7 @@ void Bodies::take(const binding::Heard& heard) {
   vehicle->now.held_by = message.held_by();
   vehicle->now.is_stopped = message.is_stopped();
   take(*vehicle, *report);
+  if (message.held_by() == session_) note_trip(vehicle->now, message.command());
 }
 
 // Where its odometry begins is known by where one point of it is on the Earth, and by where north is there.
@@ -219,8 +245,10 @@ void Bodies::take(Vehicle& vehicle, Report said) {
   State& state = vehicle.now;
   state.report = std::move(said);
   state.heard = now();
+  if (!state.first) state.first = state.heard;
   fix(state);
   const Report& report = state.report;
+  if (report.battery) state.battery = report.battery;
   if (!report.motion) return;
   state.motion = report.motion;
   state.ranges.clear();
@@ -244,6 +272,15 @@ void Bodies::take(Vehicle& vehicle, Report said) {
   if (state.body != binding::kNoBody) put(state);
 }
 
+// It carries out the newest that has come, so how long ago it was told that is the way there and back.
+void Bodies::note_trip(State& state, std::uint64_t command) {
+  const bool is_known = command != 0 && command <= state.told && state.told - command < state.told_at.size();
+  if (!is_known) state.trip.reset();
+  if (!is_known || command == state.answered) return;
+  state.answered = command;
+  state.trip = seconds_between(state.told_at[command % state.told_at.size()], state.heard);
+}
+
 geom::Pose Bodies::pose_of(const State& state) {
   return in_world(state.frame, state.motion->pose);
 }
@@ -251,6 +288,53 @@ geom::Pose Bodies::pose_of(const State& state) {
 void Bodies::put(const State& state) {
   const geom::Pose pose = pose_of(state);
   others_->place(state.body, pose, pose.to_world({state.motion->speed, 0.0, 0.0}), state.motion->turn_rate);
+}
+
+// ---- what is told of them
+
+binding::BodyState Bodies::body(BodyIndex body) const {
+  binding::BodyState out = others_->view().body(body);
+  const Vehicle* const vehicle = of(body);
+  if (vehicle == nullptr) return out;
+  const State& state = vehicle->now;
+  binding::Upkeep& upkeep = out.upkeep.emplace();
+  upkeep.motion_age = std::max(0.0, seconds_between(state.motion->at, now()));
+  if (state.battery) upkeep.battery = state.battery->share;
+  const Clock::time_point known = state.battery ? state.battery->at : state.first.value_or(now());
+  upkeep.battery_age = std::max(0.0, seconds_between(known, now()));
+  return out;
+}
+
+binding::VehicleState::Driver Bodies::driver_of(const State& state) const {
+  using Driver = binding::VehicleState::Driver;
+  if (state.held_by == 0) return Driver::kNobody;
+  return state.held_by == session_ ? Driver::kThisRun : Driver::kAnotherRun;
+}
+
+std::optional<binding::VehicleState> Bodies::vehicle(std::string_view name) const {
+  const Vehicle* const found = of(name);
+  if (found == nullptr) return others_->vehicle(name);
+  const State& state = found->now;
+  const auto age = [&](Clock::time_point at) { return std::max(0.0, seconds_between(at, now())); };
+  binding::VehicleState out;
+  out.name = found->crewed.name;
+  out.kind = kind_of(found->crewed);
+  out.number = state.number;
+  out.age = age(state.heard);
+  if (state.number == 0) return out;
+  out.readiness = told(state.report.readiness);
+  if (state.report.readiness != Readiness::kReady) out.why = why_not_ready(state.report);
+  out.trip = state.trip;
+  out.driver = driver_of(state);
+  out.is_taken = state.report.readiness == Readiness::kTaken;
+  out.is_stopped = state.is_stopped;
+  out.is_global = state.report.is_global;
+  if (state.report.motion) out.motion_age = age(state.report.motion->at);
+  if (state.battery) out.battery = {state.battery->share, state.battery->voltage, age(state.battery->at)};
+  for (const Scan& scan : state.report.scans)
+    out.sensors.push_back({scan.sensor, static_cast<std::uint32_t>(scan.distances.size()), scan.farthest,
+                           scan.beam_width, age(scan.at)});
+  return out;
 }
 
 // ---- the cycle
@@ -302,6 +386,7 @@ void Bodies::command(Vehicle& vehicle, const percept::Action& action, double dt)
   wire::VehicleCommand out;
   out.set_session(session_);
   out.set_number(++vehicle.now.told);
+  vehicle.now.told_at[vehicle.now.told % vehicle.now.told_at.size()] = now();
   out.set_answers(vehicle.now.number);
   out.set_drives(action.drives);
   out.set_velocity_x(action.velocity.x);
@@ -393,7 +478,7 @@ std::vector<std::string> Bodies::vehicles() const {
   for (const auto& one : vehicles_) {
     wire::RecordedVehicle told;
     told.set_name(one->crewed.name);
-    *told.mutable_said() = offered(one->crewed.name, one->crewed.limits);
+    *told.mutable_said() = offered(kind_of(one->crewed), one->crewed.limits);
     told.set_session(session_);
     out.push_back(told.SerializeAsString());
   }
@@ -410,7 +495,7 @@ std::unique_ptr<binding::Binding> recorded_bodies(std::unique_ptr<binding::Bindi
     if (!told.ParseFromString(bytes)) continue;
     const auto limits = limits_of(told.said());
     if (!limits) continue;
-    crewed.push_back({told.name(), *limits, nullptr});
+    crewed.push_back({told.name(), *limits, nullptr, text::shown(told.said().kind(), kLongestKind)});
     session = told.session();
   }
   return std::make_unique<Bodies>(std::move(others), std::move(crewed), session, map);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -23,6 +24,7 @@ struct Crewed {
   std::string name;  ///< in the fleet
   Limits limits;
   std::unique_ptr<Line> line;  ///< null: what it said is recorded, and nobody hears what it is told
+  std::string kind = {};       ///< what it is, for people; empty: its name
 };
 
 /// Bodies some of which are vehicles; the others are another binding's, which has a body for each vehicle,
@@ -51,6 +53,7 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   void hear(std::vector<binding::Heard>& out) override;
   void take(const binding::Heard& heard) override;
   std::vector<std::string> vehicles() const override;
+  std::optional<binding::VehicleState> vehicle(std::string_view name) const override;
   void percepts(std::span<const binding::Sensing> robots, int worker) override;
   void carry_out(std::span<const percept::Action> actions, double dt) override;
   void poses(std::span<const binding::BodyIndex> bodies, std::span<geom::Pose> out) const override {
@@ -80,7 +83,12 @@ class Bodies final : public binding::Binding, private binding::WorldView {
     std::uint64_t held_by = 0;
     bool is_stopped = false;
     Report report;
-    Clock::time_point heard;  // by the run's time
+    std::optional<Battery> battery;               // as it said last
+    std::optional<Clock::time_point> first;       // when it was heard first, by the run's time as all here
+    Clock::time_point heard;                      // last
+    std::array<Clock::time_point, 64> told_at{};  // by number of the command
+    std::uint64_t answered = 0;                   // the newest of them that was carried out
+    std::optional<double> trip;                   // as binding::VehicleState::trip
     std::optional<Motion> motion;
     binding::BodyIndex body = binding::kNoBody;
     geom::Pose frame;  // of its odometry, in the world
@@ -105,7 +113,7 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   }
   std::span<const binding::Wall> walls() const override { return others_->view().walls(); }
   std::span<const binding::Object> objects() const override { return others_->view().objects(); }
-  binding::BodyState body(binding::BodyIndex body) const override { return others_->view().body(body); }
+  binding::BodyState body(binding::BodyIndex body) const override;
   percept::Percepts sense(binding::BodyIndex body, const percept::Needs& needs) const override;
   percept::Percepts sense_at(binding::BodyIndex body, const geom::Pose& pose,
                              const percept::Needs& needs) const override;
@@ -117,6 +125,8 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   void fix(State& state) const;
   void put(const State& state);
   static bool knows_its_place(const State& state) { return state.report.is_global || state.fixed_at; }
+  static void note_trip(State& state, std::uint64_t command);
+  binding::VehicleState::Driver driver_of(const State& state) const;
   static geom::Pose pose_of(const State& state);
   static void sense_with(State& state, const percept::Needs& needs, percept::Percepts& out);
   /// What it would know of if it stood elsewhere, by what it has seen from where it was.

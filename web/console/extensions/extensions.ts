@@ -11,6 +11,9 @@ import { MissionPanel } from "../mission/mission_panel.tsx";
 import { DrawOptions } from "../overlay/draw_options.tsx";
 import { DrawTool } from "../overlay/draw_tool.ts";
 import { OverlayPanel } from "../overlay/overlay_panel.tsx";
+import { kPreflightPlace } from "../preflight/place.ts";
+import { PreflightPanel } from "../preflight/preflight_panel.tsx";
+import { useHasVehicles, usePreflightBadge } from "../preflight/use_preflight.ts";
 import { RobotsPanel } from "../robots/robots_panel.tsx";
 import { SelectionPanel } from "../selection/selection_panel.tsx";
 import type { ActionSource, Panel, Tool } from "../session/registry.ts";
@@ -27,6 +30,13 @@ const TextPanel = lazy(() => import("../editor/text_panel.tsx"));
 
 export const panels: readonly Panel[] = [
   { id: "mission", title: "Mission", icon: "steps", component: MissionPanel, dock: "left", shortcut: "1" },
+  {
+    ...kPreflightPlace,
+    icon: "checklist",
+    component: PreflightPanel,
+    useBadge: usePreflightBadge,
+    useIsThere: useHasVehicles,
+  },
   { id: "robots", title: "Robots", icon: "robots", component: RobotsPanel, dock: "left", shortcut: "2" },
   { id: "overlay", title: "Draw", icon: "draw", component: OverlayPanel, dock: "left", shortcut: "3" },
   { id: "world", title: "World", icon: "world", component: WorldPanel, dock: "left", shortcut: "4" },

@@ -13,6 +13,7 @@ export type Order = MessageInitShape<typeof TryFailsafesSchema>;
 
 /** `Link lost`, of `LINK-LOST`. */
 export function labelOf(condition: string): string {
+  if (condition === "BATTERY") return "Battery empty";
   const words = condition.toLowerCase().replaceAll("-", " ");
   return words.charAt(0).toUpperCase() + words.slice(1);
 }

@@ -2,7 +2,7 @@ import { FailsafeStandings_State, type Failsafes_Row } from "../../core/protocol
 import { Bar, Button } from "../../ui/controls/controls.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
 import { usePart, useSession } from "../session/session.ts";
-import { doesText, standingText, stateWord, thresholdText, type Worst, worstOf } from "./standings.ts";
+import { doesText, operandOf, standingText, stateWord, thresholdText, type Worst, worstOf } from "./standings.ts";
 
 const kBars: Record<string, string> = { hold: "var(--hold)", danger: "var(--danger)", go: "var(--go)" };
 
@@ -43,7 +43,7 @@ function Row({ row, rank, worst, robots }: RowProps) {
         <div className="failsafe-head">
           <p className="failsafe-says">
             <code>
-              {row.condition} {row.fence}
+              {row.condition} {operandOf(row)}
             </code>{" "}
             <span className="unbroken">{thresholdText(row)}</span>{" "}
             <span className="unbroken">

@@ -27,6 +27,7 @@ import {
   doesText,
   measureText,
   nameOf,
+  operandOf,
   standingText,
   stateWord,
   summaryText,
@@ -84,6 +85,14 @@ describe("how a row stands", () => {
     expect(standingText(fence, first(State.OFF), false)).toBe("looked at while the robot runs");
     const steered = { ...link, watch: Watch.TELEOPERATED };
     expect(standingText(steered, first(State.OFF), false)).toBe("looked at under teleoperation only");
+  });
+  it("says of a battery how much is left of it, and that nobody knows", () => {
+    const below = { ...link, condition: "BATTERY", share: 0.3, watch: Watch.VEHICLE };
+    expect(operandOf(below)).toBe("BELOW 30%");
+    expect(rows.map(operandOf)).toEqual(["Field", "", ""]);
+    expect(standingText(below, first(State.ARMED, 50, 642), false)).toBe("64.2 % left");
+    expect(standingText(below, first(State.ACTIVE, 100, -1000), false)).toBe("not known, which counts as empty");
+    expect(standingText(below, first(State.OFF), false)).toBe("looked at of vehicles that are driven only");
   });
   it("says why it does not act though it is met", () => {
     expect(standingText(link, first(State.WAITING, 100, 60), true)).toBe("for 6 s, a row above it acts");

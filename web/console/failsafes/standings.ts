@@ -71,15 +71,21 @@ export function standingText(row: Failsafes_Row, standing: FailsafeStandings_Sta
   const { state } = standing;
   if (state === State.OFF) {
     if (row.watch === Watch.REAL_TIME && !isRealTime) return "looked at in real time only";
+    if (row.watch === Watch.VEHICLE) return "looked at of vehicles that are driven only";
     return row.watch === Watch.TELEOPERATED ? "looked at under teleoperation only" : "looked at while the robot runs";
   }
-  const measured = measureText(row, standing.measure / 10);
+  const measured = row.share > 0 ? batteryText(standing.measure) : measureText(row, standing.measure / 10);
   if (state === State.WAITING) return [measured, "a row above it acts"].filter(Boolean).join(", ");
   if (state !== State.OVERRULED) return measured;
   const isOutside = row.fence !== "" && standing.measure < 0;
   return [measured, isOutside ? "it may only drive nearer" : "an order or the stick has taken over"]
     .filter(Boolean)
     .join(", ");
+}
+
+/** `64.2 % left`. `measure`: in thousandths, less than 0 where it is not known. */
+function batteryText(measure: number): string {
+  return measure < 0 ? "not known, which counts as empty" : `${(measure / 10).toFixed(1)} % left`;
 }
 
 /** `3.1 of 5 s`, `for 5.1 s`, `12.3 m to the line`, `0.4 m beyond the line`. */
@@ -102,6 +108,11 @@ export function seconds(value: number): string {
 /** `after 5 s`; empty: at once. */
 export function thresholdText(row: Failsafes_Row): string {
   return row.mayLast && row.seconds > 0 ? `after ${seconds(row.seconds)}` : "";
+}
+
+/** What stands behind the condition: `Field`, `BELOW 30%`; empty: nothing. */
+export function operandOf(row: Failsafes_Row): string {
+  return row.share > 0 ? `BELOW ${Number((row.share * 100).toFixed(3))}%` : row.fence;
 }
 
 /** What the action makes of the robot. A fence holds it whatever its row says. */

@@ -13,6 +13,7 @@ function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): Retu
     openQuestions: 0,
     errors: 0,
     nextLabel: "2",
+    whyNotStart: "",
     hasAsked: false,
     hasOperator: true,
     ...more,
@@ -44,6 +45,13 @@ describe("the main button", () => {
       label: "Resume",
       does: { action: Control_Action.RESUME },
     });
+  });
+  it("leads to the checklist while that keeps vehicles from moving, and no longer once it has begun", () => {
+    const whyNotStart = "nobody has signed it.";
+    expect(at(Status_Mode.READY, { whyNotStart })).toMatchObject({ does: { kind: "preflight" }, short: "Checklist" });
+    expect(at(Status_Mode.READY, { whyNotStart }).hint).toContain(whyNotStart);
+    expect(at(Status_Mode.RUNNING, { whyNotStart })).toMatchObject({ label: "Pause" });
+    expect(at(Status_Mode.READY, { whyNotStart, isOperator: false })).toMatchObject({ label: "Ask for control" });
   });
   it("resumes a step beside which an order has ended", () => {
     const steps = [{ outcome: Status_Outcome.UNDER_WAY }, { step: kStepOfOrder, outcome: Status_Outcome.DONE }];

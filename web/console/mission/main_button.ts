@@ -14,9 +14,10 @@ export interface MainButton {
     | { kind: "take-operator" }
     | { kind: "now" } // back from another moment
     | { kind: "show-errors" }
+    | { kind: "preflight" } // to the checklist, which is to be signed first
     | { kind: "nothing" };
   tone: "go" | "hold" | "danger" | "quiet";
-  icon: "play" | "pause" | "question" | "restart" | "hand" | "warning" | "release" | "right";
+  icon: "checklist" | "play" | "pause" | "question" | "restart" | "hand" | "warning" | "release" | "right";
 }
 
 export interface Situation {
@@ -30,6 +31,8 @@ export interface Situation {
   openQuestions: number;
   errors: number;
   nextLabel: string; // label of the step that Execute would start; empty: none
+  /** Why the mission may not move its vehicles yet, as a sentence; empty: it may. */
+  whyNotStart: string;
   /** This browser has asked for the operator's place and waits. */
   hasAsked: boolean;
 }
@@ -61,7 +64,7 @@ export function mainButton(situation: Situation): MainButton {
     case Status_Mode.NO_MISSION:
       return withoutMission(situation);
     case Status_Mode.READY:
-      return execute("Starts with step", situation);
+      return situation.whyNotStart === "" ? execute("Starts with step", situation) : checklist(situation);
     case Status_Mode.RUNNING:
       return control(
         "Pause",
@@ -83,6 +86,17 @@ export function mainButton(situation: Situation): MainButton {
     case Status_Mode.ENDED:
       return control("Restart", endHint(status.outcome), Control_Action.RESTART, "hold", "restart");
   }
+}
+
+function checklist({ whyNotStart }: Situation): MainButton {
+  return {
+    label: "Pre-flight checklist",
+    short: "Checklist",
+    hint: `The mission moves vehicles. Before it starts: ${whyNotStart}`,
+    does: { kind: "preflight" },
+    tone: "hold",
+    icon: "checklist",
+  };
 }
 
 function withoutMission({ errors }: Situation): MainButton {

@@ -1,4 +1,6 @@
 // What the main button does when it is pressed.
+import { kPreflightPlace } from "../preflight/place.ts";
+import { showPanel } from "../session/layout.ts";
 import { backToNow, control, takeOperator } from "../session/orders.ts";
 import type { Session } from "../session/session.ts";
 import { mainButton } from "./main_button.ts";
@@ -18,6 +20,9 @@ export function pressMainButton(session: Session): void {
       return;
     case "now":
       backToNow(session);
+      return;
+    case "preflight":
+      session.ui.set("layout", showPanel(session.ui.get("layout"), kPreflightPlace));
       return;
     case "show-errors":
       showErrors(session);

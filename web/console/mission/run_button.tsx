@@ -86,4 +86,5 @@ const kOfMainButton = [
   "plan",
   "moment",
   "timeLine",
+  "preflight",
 ] as const;

@@ -16,6 +16,7 @@ export function situationOf(model: Model): Situation {
     openQuestions: model.get("questions").length,
     errors: documents.reduce((sum, document) => sum + document.diagnostics.filter((one) => !one.isWarning).length, 0),
     nextLabel: status ? (plan?.steps[status.currentStep]?.label ?? "") : "",
+    whyNotStart: model.get("preflight")?.whyNotStart ?? "",
     hasAsked: clients !== null && clients.asks !== 0 && clients.asks === model.get("welcome")?.client,
   };
 }

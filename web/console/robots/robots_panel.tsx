@@ -7,6 +7,7 @@ import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
 import { commandOfUnit, type Followed, followedBy, isSameFollowing } from "../mission/unit_command.ts";
 import { usePart, useReading, useSession } from "../session/session.ts";
+import { VehicleMark } from "../vehicles/vehicle_mark.tsx";
 import { robotState } from "./robot_state.ts";
 import { type RosterRow, rosterRows, selectedKeys, selectionOf } from "./rows.ts";
 import "./robots.css";
@@ -117,6 +118,7 @@ function RobotRow({ row, followed }: { row: Extract<RosterRow, { kind: "robot" }
     <span className="robot-cells" style={{ paddingLeft: row.depth * 16 + 8 }}>
       <span className="swatch" style={{ background: color }} />
       <span className="ellipsis">{row.name}</span>
+      <VehicleMark robot={row.id} />
       {followed && (
         <span className="small muted ellipsis grow robot-follows" title={`Follows ${followed.unit} ${followed.order}`}>
           {followed.unit === `robot ${row.id}` || roster.robotsOf(followed.unit).includes(row.id)

@@ -6,6 +6,7 @@ import { sentence } from "../../ui/words/sentence.ts";
 import { FailsafeSummary } from "../failsafes/failsafe_summary.tsx";
 import { faulted, robotState } from "../robots/robot_state.ts";
 import { usePart, useSession } from "../session/session.ts";
+import { VehicleFacts } from "../vehicles/vehicle_facts.tsx";
 import { PlaceValue } from "./place_value.tsx";
 import { ReplaceButton } from "./replace_button.tsx";
 import { SaidThere } from "./said.tsx";
@@ -29,6 +30,7 @@ export function RobotFacts({ id }: { id: number }) {
         <p className="muted">
           {row < 0 ? "Not started yet: START puts it where its outline stands on the map." : missing}
         </p>
+        <VehicleFacts robot={id} />
       </div>
     );
   }
@@ -47,6 +49,7 @@ export function RobotFacts({ id }: { id: number }) {
           <code>{detail.failsafe}</code> acts, whatever its program wants. Another order or the stick takes over.
         </p>
       )}
+      <VehicleFacts robot={id} />
       <FactList
         rows={[
           ["Command", detail.command || "none"],

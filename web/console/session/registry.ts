@@ -22,6 +22,8 @@ export interface Panel {
   shortcut?: string;
   /** A number on its button, as of things that want attention. A hook. */
   useBadge?: () => number;
+  /** Whether it has a button at all: of things that not every mission has. A hook. */
+  useIsThere?: () => boolean;
 }
 
 export interface Tool {

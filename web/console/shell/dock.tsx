@@ -1,5 +1,5 @@
 // The docks around the map: a rail of buttons, the panel that is shown, a border that can be dragged.
-import { Suspense, useDeferredValue } from "react";
+import { type ReactNode, Suspense, useDeferredValue } from "react";
 import { Button as AriaButton } from "react-aria-components";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
@@ -34,6 +34,15 @@ export function Rail({ side }: { side: "left" | "right" }) {
 }
 
 export function PanelButton({ panel, className }: { panel: Panel; className: string }) {
+  const button = <ShownPanelButton panel={panel} className={className} />;
+  return panel.useIsThere ? <WhereThere use={panel.useIsThere}>{button}</WhereThere> : button;
+}
+
+function WhereThere({ use, children }: { use: () => boolean; children: ReactNode }) {
+  return use() ? children : null;
+}
+
+function ShownPanelButton({ panel, className }: { panel: Panel; className: string }) {
   const { ui } = useSession();
   const layout = useLayout();
   const dock = layout.moved[panel.id] ?? panel.dock;

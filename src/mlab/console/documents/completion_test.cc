@@ -113,7 +113,13 @@ TEST_F(CompletionTest, FollowsATypedCommandFromWordToWord) {
 TEST_F(CompletionTest, FollowsAFailsafeFromWordToWord) {
   EXPECT_EQ(in_mission("OVERLAY x.odl\nFAILS|"), Strings{"FAILSAFE"});
   EXPECT_EQ(in_mission("FAILSAFE |"), (Strings{"OUTSIDE", "IN-CONTACT", "STUCK", "LINK-LOST",
-                                               "PERCEPTS-STALE", "OPERATOR-ABSENT", "FOR"}));
+                                               "PERCEPTS-STALE", "OPERATOR-ABSENT", "BATTERY", "FOR"}));
+  EXPECT_EQ(in_mission("FAILSAFE BATTERY |"), Strings{"BELOW"});
+  EXPECT_EQ(in_mission("FAILSAFE BATTERY BELOW |"), Strings{});
+  EXPECT_EQ(in_mission("FAILSAFE FOR ROBOT BATTERY BELOW 30% |"),
+            (Strings{"AFTER", "HOLD", "STOP", "RETURN", "CONTINUE"}));
+  EXPECT_EQ(in_mission("FAILSAFE BATTERY BELOW 30% AFTER 3 |"),
+            (Strings{"HOLD", "STOP", "RETURN", "CONTINUE"}));
   EXPECT_TRUE(has(in_mission("OVERLAY x.odl\nFAILSAFE FOR |"), "ROBOT"));
   EXPECT_EQ(in_mission("FAILSAFE FOR ROBOT OUT|"), Strings{"OUTSIDE"});
   EXPECT_TRUE(has(in_mission("FAILSAFE FOR ROBOT STUCK AFTER 3 |"), "HOLD"));

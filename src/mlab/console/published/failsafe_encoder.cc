@@ -60,16 +60,23 @@ Failsafes::Row::Watch told_watch(mission::FailsafeWatch watch) {
       return Failsafes::Row::REAL_TIME;
     case mission::FailsafeWatch::kTeleoperated:
       return Failsafes::Row::TELEOPERATED;
+    case mission::FailsafeWatch::kVehicle:
+      return Failsafes::Row::VEHICLE;
   }
   return Failsafes::Row::RUNNING;
 }
 
-void encode_standing(const fleet::RowStanding& row, FailsafeStandings::Standing& out) {
+// @param unit  of its measure, in which it goes to browsers
+void encode_standing(const fleet::RowStanding& row, double unit, FailsafeStandings::Standing& out) {
   constexpr double kMostTenths = 1e9;
   out.set_state(told(row.state));
   out.set_used(static_cast<std::uint32_t>(std::floor(100.0 * row.used)));
   out.set_measure(static_cast<std::int32_t>(
-      std::clamp(std::floor(10.0 * row.measure + 1e-6), -kMostTenths, kMostTenths)));
+      std::clamp(std::floor(row.measure / unit + 1e-6), -kMostTenths, kMostTenths)));
+}
+
+double unit_of(const mission::Failsafe& row) {
+  return mission::info(row.condition).has_share ? 0.001 : 0.1;
 }
 
 }  // namespace
@@ -84,6 +91,7 @@ void encode_failsafes(const mission::Mission& mission, const PlaceOf& place_of, 
     told.set_fence(clean(row.fence_name));
     told.set_may_last(condition.may_last);
     told.set_seconds(row.seconds);
+    told.set_share(row.share);
     told.set_action(std::string(mission::info(row.action).word));
     told.set_means(std::string(condition.help));
     told.set_does(std::string(mission::info(row.action).help));
@@ -101,11 +109,13 @@ void encode_failsafes(const mission::Mission& mission, const PlaceOf& place_of, 
 
 void encode_standings(const run::MissionRun& run, const fleet::FleetRobot& robot, FailsafeStandings& out) {
   out.set_robot(robot.id.value);
-  for (const fleet::RowStanding& row : run.fleet().standings(robot, run.cycle_duration()))
-    encode_standing(row, *out.add_rows());
+  const std::vector<mission::Failsafe>& table = run.fleet().failsafes().rows();
+  const std::vector<fleet::RowStanding> rows = run.fleet().standings(robot, run.cycle_duration());
+  for (std::size_t i = 0; i < rows.size(); ++i) encode_standing(rows[i], unit_of(table[i]), *out.add_rows());
 }
 
-void encode_trial(const fleet::WhatIfOutcome& outcome, bool has_fence, FailsafeTrial& out) {
+void encode_trial(const fleet::Failsafes& failsafes, const fleet::WhatIfOutcome& outcome, bool has_fence,
+                  FailsafeTrial& out) {
   for (const fleet::WhatIfEvent& event : outcome.events) {
     FailsafeTrial::Event& one = *out.add_events();
     one.set_time(event.time);
@@ -115,7 +125,7 @@ void encode_trial(const fleet::WhatIfOutcome& outcome, bool has_fence, FailsafeT
   for (std::size_t i = 0; i < outcome.rows.size(); ++i) {
     fleet::RowStanding row = outcome.rows[i];
     row.used = outcome.most_used[i];
-    encode_standing(row, *out.add_rows());
+    encode_standing(row, unit_of(failsafes.rows()[i]), *out.add_rows());
   }
   out.set_seconds(outcome.seconds);
   out.set_is_cut(outcome.is_cut);

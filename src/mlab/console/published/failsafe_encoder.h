@@ -14,6 +14,7 @@ void encode_failsafes(const mission::Mission& mission, const PlaceOf& place_of, 
 void encode_standings(const run::MissionRun& run, const fleet::FleetRobot& robot, FailsafeStandings& out);
 
 /// What would come of conditions that somebody sets.
-void encode_trial(const fleet::WhatIfOutcome& outcome, bool has_fence, FailsafeTrial& out);
+void encode_trial(const fleet::Failsafes& failsafes, const fleet::WhatIfOutcome& outcome, bool has_fence,
+                  FailsafeTrial& out);
 
 }  // namespace mlab::console

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "mlab/console/published/overview.h"
+#include "mlab/console/published/vehicle_encoder.h"
 #include "mlab/mission/wording.h"
 #include "mlab/schema/errands.h"
 
@@ -136,6 +137,7 @@ void encode_run(const run::MissionRun& run, const Estimates& estimates, Status& 
       encode_command(run, step.first_command + c, estimates, *told.add_commands());
   }
   for (const std::string& line : mission::waits_for(state)) out.add_waits_for(clean(line));
+  encode_vehicles(run, out);
 }
 
 void encode_questions(const State& state, const std::map<std::uint32_t, double>& asked,

@@ -79,6 +79,7 @@ SessionCore::SessionCore(SessionSettings settings, Session::Send send)
       people_(welcome_of(settings_), std::move(send)),
       run_(
           log_, settings_.speed, settings_.run.stop_line, [this] { inbox_.wake(); }, settings_.gate),
+      preflight_orders_({settings_, run_, people_, inbox_}),
       parameters_(run_, documents_, log_),
       bookmark_orders_({settings_, run_, log_, bookmarks_}),
       chronicle_({settings_, documents_, run_, people_, log_, bookmarks_.bookmarks}),
@@ -94,8 +95,8 @@ SessionCore::SessionCore(SessionSettings settings, Session::Send send)
       look_backs_({settings_, documents_, chronicle_, run_, people_, log_, inbox_}),
       other_futures_({settings_, look_backs_, run_, people_, inbox_}),
       frames_(run_, people_),
-      publisher_(
-          {people_, documents_, run_, maker_, frames_, log_, look_backs_, chronicle_, bookmark_orders_}),
+      publisher_({people_, documents_, run_, maker_, frames_, log_, look_backs_, chronicle_, bookmark_orders_,
+                  preflight_orders_}),
       measuring_({people_, run_, log_, settings_.version}),
       thread_([this] { work(); }) {}
 
@@ -110,6 +111,7 @@ std::vector<std::string> SessionCore::end() {
   other_futures_.end();
   look_backs_.end();
   maker_.end();
+  preflight_orders_.end();
   return documents_.losses();
 }
 
@@ -199,6 +201,7 @@ void SessionCore::work() {
     document_orders_.keep_drafts();
     document_orders_.look_at_disk();
     picture_.follow(documents_, project_);
+    preflight_orders_.follow();
     publisher_.publish();
     measuring_.look();
   }

@@ -21,6 +21,7 @@
 #include "mlab/console/session/name_orders.h"
 #include "mlab/console/session/other_futures.h"
 #include "mlab/console/session/people.h"
+#include "mlab/console/session/preflight_orders.h"
 #include "mlab/console/session/publisher.h"
 #include "mlab/console/session/resumption.h"
 #include "mlab/console/session/robot_parameters.h"
@@ -90,6 +91,7 @@ class SessionCore {
   MapPicture picture_;
   People people_;
   RunControl run_;
+  PreflightOrders preflight_orders_;
   RobotParameters parameters_;
   history::KeptBookmarks bookmarks_;  // of the run, or of the recording that was opened
   BookmarkOrders bookmark_orders_;

@@ -62,7 +62,7 @@ Answered FailsafeTrials::answer(const TryFailsafes& asked, Reply& reply) {
   const auto outcome =
       fleet::what_if(run.fleet().failsafes(), known_of(run, *robot), *conditions, run.cycle_duration());
   if (!outcome) return clean(outcome.error());
-  encode_trial(*outcome, asked.has_fence(), *reply.mutable_failsafes());
+  encode_trial(run.fleet().failsafes(), *outcome, asked.has_fence(), *reply.mutable_failsafes());
   return std::nullopt;
 }
 

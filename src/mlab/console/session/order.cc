@@ -17,6 +17,7 @@ Order Order::of(ToServer::BodyCase body) {
   constexpr auto kRun = &Core::run_orders_;
   constexpr auto kDocuments = &Core::document_orders_;
   constexpr auto kNames = &Core::name_orders_;
+  constexpr auto kPreflight = &Core::preflight_orders_;
   constexpr auto kTrials = &Core::failsafe_trials_;
   constexpr auto kFrames = &Core::frames_;
   constexpr auto kPeople = &Core::people_;
@@ -59,6 +60,8 @@ Order Order::of(ToServer::BodyCase body) {
       return {kAnybody, kAfterCycle, T::taken<&Run::read_said, &M::read_said, kRun>};
     case M::kReadText:
       return {kAnybody, kDuringCycle, T::taken<&Names::read_text, &M::read_text, kNames>};
+    case M::kCheckVehicles:
+      return {kAnybody, kDuringCycle, T::taken<&PreflightOrders::check, &M::check_vehicles, kPreflight>};
     case M::kTryFailsafes:
       return {kAnybody, kAfterCycle, T::taken<&FailsafeTrials::try_out, &M::try_failsafes, kTrials>};
 
@@ -103,6 +106,9 @@ Order Order::of(ToServer::BodyCase body) {
       return {kOperatorNow, kAfterCycle, T::taken<&Run::release_value, &M::release_value, kRun>};
     case M::kReplaceRobot:
       return {kOperatorNow, kAfterCycle, T::taken<&Run::replace_robot, &M::replace_robot, kRun>};
+    case M::kSignPreflight:
+      return {kOperatorNow, kAfterCycle, T::taken<&PreflightOrders::sign, &M::sign_preflight, kPreflight>,
+              true};
     case M::kTyped:
       return {kOperatorNow, kAfterCycle, T::taken<&RunMaker::typed, &M::typed, kMaker>};
     case M::kSetOption:

@@ -33,6 +33,7 @@ Publisher::Publisher(const Parts& parts)
       look_backs_(parts.look_backs),
       chronicle_(parts.chronicle),
       bookmarks_(parts.bookmarks),
+      preflight_(parts.preflight),
       topics_(topics()) {}
 
 // In the order in which whoever comes is told of them.
@@ -77,6 +78,8 @@ std::vector<Publisher::Topic> Publisher::topics() {
              failsafes);
        },
        plan_revision, true},
+      {[this](ToBrowser& out) { preflight_.encode(*out.mutable_preflight()); },
+       [this] { return preflight_.revision(); }},
       {[this](ToBrowser& out) { tell_status(out); }, [this] { return news_revision(); }, true},
       {[live](ToBrowser& out) {
          Questions& questions = *out.mutable_questions();
@@ -207,6 +210,7 @@ void Publisher::tell_status(ToBrowser& out) const {
   } else {
     status.set_seed(maker_.seed());
   }
+  run_.vehicle_silence().add(wall, status);
   run_.teleoperations().encode(status);
   if (run_.is_stopped()) {
     const LiveRun* live = run_.live();

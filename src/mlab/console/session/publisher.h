@@ -13,6 +13,7 @@
 #include "mlab/console/session/frames.h"
 #include "mlab/console/session/look_backs.h"
 #include "mlab/console/session/people.h"
+#include "mlab/console/session/preflight_orders.h"
 #include "mlab/console/session/run_control.h"
 #include "mlab/console/session/run_maker.h"
 
@@ -33,6 +34,7 @@ class Publisher {
     LookBacks& look_backs;
     Chronicle& chronicle;
     const BookmarkOrders& bookmarks;
+    const PreflightOrders& preflight;
   };
   explicit Publisher(const Parts& parts);
 
@@ -76,6 +78,7 @@ class Publisher {
   LookBacks& look_backs_;
   Chronicle& chronicle_;
   const BookmarkOrders& bookmarks_;
+  const PreflightOrders& preflight_;
 
   std::uint64_t world_key_ = 0;      // of the obstacles that the scene has
   std::uint64_t world_changes_ = 0;  // how often obstacles came or went that no document has

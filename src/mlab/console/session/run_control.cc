@@ -200,7 +200,10 @@ void RunControl::advance() {
 bool RunControl::step_once() {
   halted_.Clear();
   const CycleTimes::Watch watch(cycle_times_);
-  if (live_->step() != run::MissionRun::Progress::kStepped) return false;
+  is_in_cycle_ = true;
+  const run::MissionRun::Progress progress = live_->step();
+  is_in_cycle_ = false;
+  if (progress != run::MissionRun::Progress::kStepped) return false;
   watch.note(cycle_times_);
   ++world_version_;
   if (breakpoints_.are_on()) look_at_breakpoints();
@@ -290,6 +293,10 @@ void RunControl::look_at_machines() {
     for (std::string& alert : stop_line_->take_alerts())
       log_.add(sim_time(), {Log::WARNING, std::move(alert), 0, "", {}, true});
   }
+  if (!live_ || time_runs_ || is_in_cycle_)
+    vehicle_silence_.forget();
+  else if (vehicle_silence_.look(live_->run(), wall_time()))
+    ++state_revision_;
   std::vector<robot::SilentMachine> silent;
   if (live_) silent = live_->run().fleet().silent_machines();
   if (!silent.empty() || !silent_machines_.empty()) ++state_revision_;

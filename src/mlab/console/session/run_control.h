@@ -14,6 +14,7 @@
 #include "mlab/console/run/live_run.h"
 #include "mlab/console/run/pace.h"
 #include "mlab/console/run/teleoperations.h"
+#include "mlab/console/run/vehicle_silence.h"
 #include "mlab/console/session/request.h"
 #include "mlab/preflight/gate.h"
 
@@ -111,7 +112,9 @@ class RunControl {
   std::uint64_t run_number() const { return run_number_; }            ///< another run
   /// Machines that carry robots and are silent, as `look_at_machines` has found them.
   const std::vector<robot::SilentMachine>& silent_machines() const { return silent_machines_; }
-  /// Where some are silent, that is news each second.
+  /// What vehicles have not said while the run stands.
+  const VehicleSilence& vehicle_silence() const { return vehicle_silence_; }
+  /// Where some are silent, that is news each second; and so is what vehicles say while the run stands.
   void look_at_machines();
   /// Where it stands: mode, steps, speed, what it waits for.
   std::uint64_t state_revision();
@@ -153,6 +156,8 @@ class RunControl {
   BreakpointTable breakpoints_;
   Halted halted_;
   std::vector<robot::SilentMachine> silent_machines_;
+  VehicleSilence vehicle_silence_;
+  bool is_in_cycle_ = false;         // in which nothing comes in
   double looked_at_machines_ = 0.0;  // [s]
   std::uint64_t world_version_ = 1;
   std::uint64_t plan_revision_ = 0;

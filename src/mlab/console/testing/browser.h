@@ -145,6 +145,7 @@ class Browser {
   const Halted& halted() const { return halted_; }
   const HeldValues& held() const { return held_; }
   const Failsafes& failsafes() const { return failsafes_; }
+  const Preflight& preflight() const { return preflight_; }
   const TimeLine& time_line() const { return time_line_; }
   const Moment& moment() const { return moment_; }
   const Journal& journal() const { return journal_; }
@@ -235,6 +236,9 @@ class Browser {
       case ToBrowser::kHeldValues:
         held_ = message.held_values();
         break;
+      case ToBrowser::kPreflight:
+        preflight_ = message.preflight();
+        break;
       case ToBrowser::kFailsafes:
         failsafes_ = message.failsafes();
         break;
@@ -300,6 +304,7 @@ class Browser {
   Halted halted_;
   HeldValues held_;
   Failsafes failsafes_;
+  Preflight preflight_;
   TimeLine time_line_;
   Moment moment_;
   Journal journal_;

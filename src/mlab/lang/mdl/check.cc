@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/mdl/battery_check.h"
 #include "mlab/lang/mdl/commands.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/lang/mdl/names.h"
@@ -95,6 +96,7 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
   if (diagnostics.error_count() > errors) return nullptr;
   std::ranges::sort(mission->robots, {}, &mission::Robot::id);
   check_names(*mission, diagnostics);
+  check_batteries(*mission, diagnostics);
   check_plan(*mission, diagnostics);
   return mission;
 }

@@ -211,9 +211,18 @@ class Lexer {
         return {TokenKind::kEquals, 1};
       case ',':
         return {TokenKind::kComma, 1};
+      case '%':
+        return {TokenKind::kPercent, is_behind_share() ? std::size_t{1} : 0};
       default:
         return {};
     }
+  }
+
+  // Old missions have such signs behind numbers where none belongs; there they still say nothing.
+  bool is_behind_share() const {
+    const std::size_t n = out_.tokens.size();
+    if (n < 2 || out_.tokens[n - 1].kind != TokenKind::kNumber) return false;
+    return equal_without_case(source_->text(out_.tokens[n - 2].span), "BELOW");
   }
 
   // Signs are part of something only before a digit; `--` begins a comment.

@@ -367,6 +367,18 @@ TEST(MdlFailsafes, AreAtTheirRankWithTheFenceOfTheOverlay) {
   EXPECT_EQ(rows[2].place.span.begin, mission->source->text().rfind("FAILSAFE"));
 }
 
+TEST(MdlFailsafes, OfBatteriesSayBelowWhichShare) {
+  const auto mission = checked(std::string("NEW-ROBOT scout robot green \"veh-1\"\n"
+                                           "failsafe battery below 12.5% after 2 hold\n"
+                                           "FAILSAFE BATTERY BELOW 30 % RETURN\nUNIT <v> scout\n") +
+                               kQuit);
+  ASSERT_EQ(mission->failsafes.size(), 2U);
+  EXPECT_EQ(mission->failsafes[0].share, 0.125);
+  EXPECT_EQ(mission->failsafes[0].seconds, 2.0);
+  EXPECT_EQ(mission::words_of(mission->failsafes[0]), "FAILSAFE BATTERY BELOW 12.5% AFTER 2 HOLD");
+  EXPECT_EQ(mission::words_of(mission->failsafes[1]), "FAILSAFE BATTERY BELOW 30% AFTER 5 RETURN");
+}
+
 TEST(MdlFailsafes, AreOfTheTypesThatTheyName) {
   const auto mission = checked(std::string("NEW-ROBOT scout robot\nFAILSAFE FOR Scout STUCK HOLD\n"
                                            "FAILSAFE FOR ROBOT STUCK HOLD\nFAILSAFE STUCK HOLD\n") +

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view kReverse = "REVERSE";
 constexpr std::string_view kInside = "INSIDE";
+constexpr std::string_view kBelow = "BELOW";
 
 template <class Rows>
 std::vector<std::string> words_in(const Rows& rows) {
@@ -70,6 +71,14 @@ Name Parser::fence_name(const mission::FailsafeConditionInfo& condition) {
   return name("the name of a closed BOUNDARY");
 }
 
+Number Parser::battery_share() {
+  if (!at_written(kBelow)) fail_expected(fmt::format("`{}`", kBelow));
+  advance();
+  Number out = number("a share in per cent");
+  if (!take(TokenKind::kPercent)) fail_expected("`%`");
+  return out;
+}
+
 statement::Failsafe Parser::failsafe() {
   statement::Failsafe out;
   if (at_written("FOR")) {
@@ -79,6 +88,7 @@ statement::Failsafe Parser::failsafe() {
   out.condition = failsafe_condition();
   const mission::FailsafeConditionInfo& condition = mission::info(out.condition);
   if (!stuck_ && condition.has_fence) out.fence = fence_name(condition);
+  if (!stuck_ && condition.has_share) out.share = battery_share();
   if (at_written("AFTER")) {
     if (!condition.may_last) {
       fail("clause-not-allowed", token().span,

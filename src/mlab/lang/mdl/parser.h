@@ -107,6 +107,7 @@ class Parser {
   mission::FailsafeCondition failsafe_condition();
   mission::FailsafeAction failsafe_action();
   Name fence_name(const mission::FailsafeConditionInfo& condition);
+  Number battery_share();
   bool at_written(std::string_view word) const;
   statement::InjectTrack inject_track();
 

@@ -214,6 +214,7 @@ void Preamble::add_failsafe(const statement::Failsafe& failsafe, text::Span span
                         .type_name = failsafe.type ? failsafe.type->text : "",
                         .types = {},
                         .seconds = failsafe.seconds ? failsafe.seconds->value : condition.default_seconds,
+                        .share = failsafe.share ? failsafe.share->value / 100.0 : 0.0,
                         .fence_name = failsafe.fence ? failsafe.fence->text : "",
                         .fence = {},
                         .place = place(span)};
@@ -226,6 +227,12 @@ void Preamble::add_failsafe(const statement::Failsafe& failsafe, text::Span span
     diagnostics_.error("number-out-of-range", place(failsafe.seconds->span),
                        fmt::format("AFTER goes from 0 to {:g} seconds, found {}", kMaxFailsafeSeconds,
                                    in_backticks(failsafe.seconds->text)));
+    return;
+  }
+  if (failsafe.share && !(out.share > 0.0 && out.share <= 1.0)) {
+    diagnostics_.error(
+        "number-out-of-range", place(failsafe.share->span),
+        fmt::format("BELOW is more than 0 and at most 100 %, found {}", in_backticks(failsafe.share->text)));
     return;
   }
   if (mission::info(failsafe.action).needs_fence && !condition.has_fence) {
@@ -256,7 +263,7 @@ bool Preamble::check_that_it_acts(const mission::Failsafe& failsafe) {
     const bool has_same_robots =
         before.types.empty() || (!failsafe.types.empty() && std::ranges::all_of(failsafe.types, is_of));
     return has_same_robots && before.condition == failsafe.condition && before.fence == failsafe.fence &&
-           before.seconds <= failsafe.seconds;
+           before.share >= failsafe.share && before.seconds <= failsafe.seconds;
   };
   const auto before = std::ranges::find_if(mission_.failsafes, is_always_before);
   if (before == mission_.failsafes.end()) return true;

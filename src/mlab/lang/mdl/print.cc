@@ -229,6 +229,7 @@ struct StatementPrinter {
     std::string out = s.type ? "FAILSAFE FOR " + text_of(*s.type) + " " : "FAILSAFE ";
     out += mission::info(s.condition).word;
     if (s.fence) out += " " + text_of(*s.fence);
+    if (s.share) out += " BELOW " + s.share->text + "%";
     if (s.seconds) out += " AFTER " + s.seconds->text;
     return out + fmt::format(" {}", mission::info(s.action).word);
   }

@@ -113,7 +113,8 @@ enum class TokenKind : std::uint8_t {
   kLess,
   kGreater,
   kEquals,
-  kComma
+  kComma,
+  kPercent  ///< behind `BELOW` and a number alone; elsewhere it is skipped
 };
 
 struct Token {

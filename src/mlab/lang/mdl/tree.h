@@ -162,6 +162,7 @@ struct Failsafe {
   std::optional<Name> type;  ///< FOR
   mission::FailsafeCondition condition = mission::FailsafeCondition::kOutside;
   std::optional<Name> fence;      ///< OUTSIDE
+  std::optional<Number> share;    ///< BELOW, in per cent
   std::optional<Number> seconds;  ///< AFTER
   mission::FailsafeAction action = mission::FailsafeAction::kHold;
   text::Span action_span;

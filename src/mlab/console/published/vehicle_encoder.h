@@ -1,0 +1,12 @@
+#pragma once
+
+#include "mlab/console.pb.h"
+#include "mlab/run/mission_run.h"
+
+namespace mlab::console {
+
+/// The vehicles of a run that are bodies of its robots or will be, by robot; what of them is known at this
+/// moment of it.
+void encode_vehicles(const run::MissionRun& run, Status& out);
+
+}  // namespace mlab::console
