@@ -17,7 +17,7 @@ const packages = join(dirname(command), "..", "vehicle_peers");
 export const canPlayVehicles = existsSync(ros2Robot) && existsSync(join(packages, "node_modules"));
 
 /** What a run that moves them is told. */
-export const movingVehicles = ["--real-time"];
+export const movingVehicles = ["--real-time", "--unchecked", "they are played"];
 
 /** A program that ends with the test. */
 export class Program {

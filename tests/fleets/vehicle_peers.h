@@ -49,7 +49,7 @@ std::unique_ptr<VehiclePeer> start_mavlink_rover(network::Host& host);
 network::Process start_robot(network::Host& host, const std::string& name, const VehiclePeer& peer);
 
 /// What a run that moves them is told.
-inline const std::vector<std::string> kMovingVehicles = {"--real-time"};
+inline const std::vector<std::string> kMovingVehicles = {"--real-time", "--unchecked", "they are played"};
 
 /// Why the two can't be started on this machine; empty: they can.
 std::string why_no_peers();

@@ -14,7 +14,8 @@ std::unique_ptr<Rig> make_simulated_rig(std::uint64_t seed) {
                     .stops_within = 0.8,
                     .bad_line_share = 0.3,
                     .has_ranges = true,
-                    .refuses_late_commands = true};
+                    .refuses_late_commands = true,
+                    .has_checks = false};
   return std::make_unique<ServedRig>(seed, facts, [seed](const geom::Pose& place) {
     SimulatedDevice::Settings settings;
     settings.start = place;

@@ -138,8 +138,10 @@ TEST(Checklist, SaysWhatTheVehicleSaysOfItself) {
                 }),
                 "veh-1/state");
   };
-  EXPECT_EQ(state(Readiness::kNotReady).result, kWarn);
-  EXPECT_EQ(state(Readiness::kNotReady).is, "is not ready: it is not armed");
+  EXPECT_EQ(state(Readiness::kStandby).result, kPass);
+  EXPECT_EQ(state(Readiness::kStandby).is, "gets ready when it is driven: it is not armed");
+  EXPECT_EQ(state(Readiness::kTaken).result, kWarn);
+  EXPECT_EQ(state(Readiness::kNotReady).result, kFail);
   EXPECT_EQ(state(Readiness::kFaulty).result, kFail);
   EXPECT_EQ(state(Readiness::kAbsent).result, kFail);
   const Checklist list = with([](VehicleFacts& one) {

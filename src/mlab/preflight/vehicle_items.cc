@@ -161,8 +161,14 @@ class Items {
       case Readiness::kReady:
         add("state", kPass, "is ready");
         break;
+      case Readiness::kStandby:
+        add("state", kPass, "gets ready when it is driven" + why);
+        break;
+      case Readiness::kTaken:
+        add("state", kWarn, "somebody else has it" + why, "nobody has it: it is left to who has it");
+        break;
       case Readiness::kNotReady:
-        add("state", kWarn, "is not ready" + why, "ready; some get so only when they are to drive");
+        add("state", kFail, "would not move" + why, "is ready");
         break;
       case Readiness::kAbsent:
         add("state", kFail, "its device is not there" + why, "is ready");

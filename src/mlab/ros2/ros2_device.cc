@@ -1,6 +1,7 @@
 #include "mlab/ros2/ros2_device.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -194,6 +195,37 @@ std::vector<std::string> Ros2Device::take_news() {
     told_problem_ = std::move(problem);
     if (!told_problem_.empty()) out.push_back(told_problem_);
   }
+  return out;
+}
+
+vehicle::Check Ros2Device::listener_check() const {
+  using enum vehicle::CheckResult;
+  const Listeners listeners = link_->listeners();
+  const std::string& in = settings_.robot_namespace;
+  if (settings_.drives == Drives::kGoals)
+    return {"navigator", listeners.navigator ? kPass : kFail,
+            fmt::format("{}/navigate_to_pose is served by {}", in,
+                        listeners.navigator ? "a navigator" : "nobody"),
+            "a navigator, as rmw_cyclonedds has it"};
+  const std::string_view kinds = listeners.twist && listeners.twist_stamped ? "Twist and TwistStamped"
+                                 : listeners.twist                          ? "Twist"
+                                 : listeners.twist_stamped                  ? "TwistStamped"
+                                                                            : "nothing";
+  return {"listener", listeners.any_velocity() ? kPass : kFail,
+          fmt::format("takes {} on {}/cmd_vel", kinds, in), "Twist or TwistStamped"};
+}
+
+std::vector<vehicle::Check> Ros2Device::checks(Time now) {
+  using enum vehicle::CheckResult;
+  const auto motion = readings_.motion(now);
+  std::vector<vehicle::Check> out;
+  out.push_back(
+      {"odometry", motion ? kPass : kFail,
+       motion ? fmt::format("counts in `{}`", readings_.odometry_frame()) : readings_.why_no_motion(now),
+       "says where it is"});
+  out.push_back(listener_check());
+  out.push_back({"watchdog", kUnknown, "can't be asked whether it stops by itself without velocities",
+                 fmt::format("stands within {:.1f} s, as --standstill says", settings_.limits.standstill)});
   return out;
 }
 

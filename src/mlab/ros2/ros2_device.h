@@ -54,6 +54,7 @@ class Ros2Device final : public vehicle::Device {
   void drive(const vehicle::Command& command, Time now) override;
   void stop(Time now) override;
   std::vector<std::string> take_news() override;
+  std::vector<vehicle::Check> checks(Time now) override;
 
  private:
   enum class Doing : std::uint8_t {
@@ -64,6 +65,7 @@ class Ros2Device final : public vehicle::Device {
 
   bool is_ready(Time now) const { return why_not(now).empty(); }
   std::string why_not(Time now) const;
+  vehicle::Check listener_check() const;
   void halt(Time now);
   void say_halt(Time now);
   void tell(const vehicle::Command& command, Time now);

@@ -59,6 +59,27 @@ TEST_F(Ros2DeviceTest, IsNotReadyWhereNobodyListens) {
   EXPECT_EQ(device->report(now).readiness, Readiness::kReady);
 }
 
+TEST_F(Ros2DeviceTest, SaysBeforeAMissionWhatIsMissing) {
+  const auto result = [&](const std::string& name) {
+    for (const vehicle::Check& one : device->checks(now))
+      if (one.name == name) return one.result;
+    ADD_FAILURE() << name;
+    return vehicle::CheckResult::kUnknown;
+  };
+  begin();
+  robot->listens = false;
+  EXPECT_EQ(result("odometry"), vehicle::CheckResult::kFail);
+  pass(1000);
+  EXPECT_EQ(result("odometry"), vehicle::CheckResult::kPass);
+  EXPECT_EQ(result("listener"), vehicle::CheckResult::kFail);
+  robot->listens = true;
+  EXPECT_EQ(result("listener"), vehicle::CheckResult::kPass);
+  EXPECT_EQ(result("watchdog"), vehicle::CheckResult::kUnknown) << "nobody can know that";
+  begin({}, with_goals());
+  pass(1000);
+  EXPECT_EQ(result("navigator"), vehicle::CheckResult::kFail);
+}
+
 TEST_F(Ros2DeviceTest, SaysNothingToCmdVelBeforeItIsDrivenOrStopped) {
   begin();
   pass(2000);

@@ -8,8 +8,8 @@
 #include <fmt/core.h>
 
 #include "mlab/base/angle.h"
-#include "mlab/vehicle/earth.h"
 #include "mlab/text/shown.h"
+#include "mlab/vehicle/earth.h"
 #include "mlab/vehicle/messages.h"
 
 namespace mlab::vehicle {

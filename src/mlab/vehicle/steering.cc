@@ -8,8 +8,8 @@
 namespace mlab::vehicle {
 namespace {
 
-/// What a vehicle says and what it is told are some tenths of a second on their way. One that turned by all that
-/// it is off within a cycle, as bodies in simulation do, would swing to and fro [s].
+/// What a vehicle says and what it is told are some tenths of a second on their way. One that turned by all
+/// that it is off within a cycle, as bodies in simulation do, would swing to and fro [s].
 constexpr double kTurnsIn = 0.8;
 
 }  // namespace

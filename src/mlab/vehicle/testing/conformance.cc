@@ -285,6 +285,7 @@ TEST_P(Conformance, IsReadyOnceItsVehicleIsHeard) {
 }
 
 TEST_P(Conformance, HasNoCheckThatFailsOnceItIsReady) {
+  if (!rig_->facts().has_checks) GTEST_SKIP() << "it is looked at from the run's end, where there are none";
   wait_until_ready();
   const std::vector<Check> checks = device().checks(now_);
   EXPECT_FALSE(device().is_simulated());

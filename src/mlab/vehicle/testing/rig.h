@@ -56,6 +56,7 @@ struct Facts {
   /// Its vehicle refuses what it was told too long ago; else a line that holds commands back and lets them go
   /// later moves it once more.
   bool refuses_late_commands = false;
+  bool has_checks = true;  ///< it says what of it is to be looked at before a mission, for it is real
 };
 
 /// A device and its vehicle with all that is between them. The vehicle is a model, or anything else that says
