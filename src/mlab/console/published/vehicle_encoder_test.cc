@@ -158,7 +158,7 @@ TEST_F(Vehicles, ThatAPilotTakesAreToldSo) {
   make();
   execute();
   pass(2.0);
-  vehicle_->rover.told.readiness = Readiness::kNotReady;
+  vehicle_->rover.told.readiness = Readiness::kTaken;
   vehicle_->rover.told.why = "is in another mode: MANUAL";
   pass(0.5);
   EXPECT_TRUE(told().vehicles(0).is_taken());
