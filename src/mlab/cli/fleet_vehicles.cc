@@ -25,7 +25,7 @@ namespace mlab::cli {
 namespace {
 
 constexpr std::chrono::seconds kFindingPatience(5);          // for a member that a mission names
-constexpr std::chrono::milliseconds kHearingPatience(2000);  // for a vehicle to say where it is
+constexpr std::chrono::milliseconds kHearingPatience(5000);  // for a vehicle to say where it is
 
 /// The vehicles of a fleet, as runs in this process know them.
 class FleetVehicles {
