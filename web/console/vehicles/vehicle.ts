@@ -21,8 +21,13 @@ export function vehicleOf(status: Status | null, robot: number): Status_Vehicle 
   return status?.vehicles.find((one) => one.robot === robot);
 }
 
+/** Something has come from it. */
+export function isHeard(vehicle: Status_Vehicle): boolean {
+  return vehicle.readiness !== Readiness.UNHEARD;
+}
+
 export function isOld(vehicle: Status_Vehicle): boolean {
-  return vehicle.readiness === Readiness.UNHEARD || vehicle.age > kOld;
+  return !isHeard(vehicle) || vehicle.age > kOld;
 }
 
 /** The worst first; what is old is not known any more. */
@@ -49,7 +54,7 @@ export function whyNot(vehicle: Status_Vehicle): string {
 
 /** What it says reaches the run only once the checklist is signed and the mission starts. */
 export function isHeldBack(vehicle: Status_Vehicle, checklist: Preflight | null): boolean {
-  return vehicle.readiness === Readiness.UNHEARD && (checklist?.isNeeded ?? false);
+  return !isHeard(vehicle) && (checklist?.isNeeded ?? false);
 }
 
 /** `12 s`, `0.4 s`. */

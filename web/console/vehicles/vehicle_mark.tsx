@@ -2,7 +2,7 @@
 import { Icon } from "../../ui/controls/icons.tsx";
 import { useReading } from "../session/session.ts";
 import { Battery } from "./battery.tsx";
-import { condition, isOld, isSameVehicle, kOld, percent, seconds, summary, vehicleOf } from "./vehicle.ts";
+import { condition, isHeard, isOld, isSameVehicle, percent, seconds, summary, vehicleOf } from "./vehicle.ts";
 import "./vehicles.css";
 
 export function VehicleMark({ robot }: { robot: number }) {
@@ -17,7 +17,7 @@ export function VehicleMark({ robot }: { robot: number }) {
       </span>
       {vehicle.battery && <Battery battery={vehicle.battery} />}
       {isOld(vehicle) ? (
-        <span className="small number vehicle-age">{vehicle.age > kOld ? seconds(vehicle.age) : "–"}</span>
+        <span className="small number vehicle-age">{isHeard(vehicle) ? seconds(vehicle.age) : "–"}</span>
       ) : (
         vehicle.battery && <span className="small number vehicle-share">{percent(vehicle.battery.share)} %</span>
       )}
