@@ -12,6 +12,9 @@ namespace mlab::vehicle {
 namespace {
 
 constexpr double kPartingPatience = 5.0;  // in which it is told to stop once no run drives it any more [s]
+// In which a vehicle says what a stop of ours did to it: autopilots say their mode once a second, on a bad
+// line later [s].
+constexpr double kOwnStopShowsIn = 3.0;
 
 // Greater than all numbers of the process before: what answered that one answers nothing of this one.
 std::uint64_t first_number(Clock::time_point now) {
@@ -79,6 +82,7 @@ void Server::stand(std::string why, Clock::time_point now) {
   standing_ = std::move(why);
   command_ = {};
   was_ready_ = false;  // it may not be ready because of this
+  stood_ = now;
   if (is_stopped_())
     device_.stop_in_emergency(now);
   else
@@ -102,10 +106,12 @@ bool Server::is_left_alone(Readiness readiness, Clock::time_point now) const {
   return is_taken_ || readiness == Readiness::kTaken || is_nobodys;
 }
 
-// What was ready, is driven, and has to be made ready again, was made unready by somebody.
-void Server::notice_taking(Readiness readiness) {
+// What was ready, is driven, and has to be made ready again, was made unready by somebody: by this itself,
+// where it has just told it to stop.
+void Server::notice_taking(Readiness readiness, Clock::time_point now) {
   const bool is_taken_now = readiness == Readiness::kTaken && has_driven_;
-  const bool is_unmade = readiness == Readiness::kStandby && was_ready_;
+  const bool is_own = stood_ && seconds_between(*stood_, now) < kOwnStopShowsIn;
+  const bool is_unmade = readiness == Readiness::kStandby && was_ready_ && !is_own;
   is_taken_ = is_taken_ || (session_ != 0 && (is_taken_now || is_unmade));
 }
 
@@ -116,7 +122,7 @@ void Server::work(Clock::time_point now) {
   const Report& report = device_.report(now);
   if (report.motion) poses_.add(*report.motion);
   const Readiness readiness = report.readiness;
-  notice_taking(readiness);
+  notice_taking(readiness, now);
   if (std::string why = why_it_stands(readiness, now); !why.empty()) {
     stand(std::move(why), now);
   } else if (is_left_alone(readiness, now)) {

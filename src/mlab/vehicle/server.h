@@ -49,7 +49,7 @@ class Server {
   double age_of(std::uint64_t report, Clock::time_point now) const;
   std::string why_it_stands(Readiness readiness, Clock::time_point now) const;
   bool is_left_alone(Readiness readiness, Clock::time_point now) const;
-  void notice_taking(Readiness readiness);
+  void notice_taking(Readiness readiness, Clock::time_point now);
   void stand(std::string why, Clock::time_point now);
   void drive(Readiness readiness, Clock::time_point now);
 
@@ -66,6 +66,7 @@ class Server {
   std::string standing_;
   std::pair<std::uint64_t, std::uint32_t> engaged_by_;  // session and engagement of the newest command
   bool was_ready_ = false;                   // when it was driven last, and was not told to stop since
+  std::optional<Clock::time_point> stood_;   // when it was told to stop last
   bool has_driven_ = false;                  // under that engagement, while it was ready
   bool is_taken_ = false;                    // somebody else has taken it since; it is left to him
   std::optional<Clock::time_point> driven_;  // last

@@ -249,6 +249,29 @@ TEST_F(ServerTest, TakesAVehicleForTakenThatWasMadeUnready) {
   EXPECT_EQ(server_.standing(), "somebody else has taken it");
 }
 
+// A rover says once a second that it has been put into HOLD.
+TEST_F(ServerTest, TakesNoVehicleForTakenThatSaysLateHowItWasStopped) {
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  EXPECT_EQ(speed_after(milliseconds(600)), 0.0) << "nothing has come for half a second";
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  device_.report_.readiness = Readiness::kStandby;
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(900)), 0.0);
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 1.0) << "it is made ready again";
+  device_.report_.readiness = Readiness::kReady;
+  for (int i = 0; i < 40; ++i) {
+    hear(command(report()));
+    EXPECT_EQ(speed_after(milliseconds(100)), 1.0);
+  }
+  device_.report_.readiness = Readiness::kStandby;
+  hear(command(report()));
+  speed_after(milliseconds(20));
+  EXPECT_EQ(server_.standing(), "somebody else has taken it") << "long after it was told to stop";
+}
+
 TEST_F(ServerTest, GoesOnWithAVehicleThatHadTroubleOfItsOwn) {
   hear(command(report()));
   EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
