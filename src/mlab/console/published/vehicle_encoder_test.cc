@@ -1,6 +1,7 @@
 #include "mlab/console/published/vehicle_encoder.h"
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,7 +107,7 @@ class Vehicles : public ::testing::Test {
   }
   void execute() { run_->post(mission::event::Execute{}); }
   void pass(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 10.0 + 0.5); ++i) run_->step();
+    for (int i = 0; i < static_cast<int>(std::lround(seconds * 10.0)); ++i) run_->step();
   }
   Status told() const {
     Status out;
