@@ -26,6 +26,8 @@ struct VehicleState {
     kNotReady,
     kReady,
     kFaulty,
+    kStandby,  ///< being driven makes it ready
+    kTaken,    ///< a pilot, or somebody else, has it; it is left to him
   };
   /// Whose commands it carries out.
   enum class Driver : std::uint8_t { kNobody, kThisRun, kAnotherRun };
@@ -51,7 +53,6 @@ struct VehicleState {
   double age = 0.0;            ///< of that report; without one since the run began [s]
   std::optional<double> trip;  ///< from a command to a report that says that it was carried out [s]
   Driver driver = Driver::kNobody;
-  bool is_taken = false;             ///< a pilot, or a failsafe of its own, has taken it from this run
   bool is_stopped = false;           ///< an emergency stop holds there
   bool is_global = false;            ///< it knows its place on the map; else it counts its way
   std::optional<double> motion_age;  ///< [s]; nothing: it does not say where it is

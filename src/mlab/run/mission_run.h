@@ -81,7 +81,6 @@ class MissionRun {
   /// Called for everything that the executive wants told, asked, shown or set, when it happens.
   using Observer = std::function<void(const mission::Effect&)>;
   void set_observer(Observer observer) { observer_ = std::move(observer); }
-  /// Called for all that comes in from outside, before it has any effect.
   /// As binding::Binding::vehicles.
   std::vector<std::string> vehicles() const { return binding_->vehicles(); }
   /// As binding::Binding::vehicle.
@@ -92,6 +91,7 @@ class MissionRun {
   /// stands.
   void hear_bodies();
 
+  /// Called for all that comes in from outside, before it has any effect.
   using InputObserver = std::function<void(const Moment&, const Input&)>;
   void set_input_observer(InputObserver observer) { input_observer_ = std::move(observer); }
   /// As fleet::Fleet.

@@ -336,7 +336,7 @@ TEST_F(VehicleBodies, AreToldToPeopleAsTheVehicleSaysThatItIs) {
   carry_out({ahead(0.5)});
   const auto taken = bodies_->vehicle("veh-1");
   EXPECT_EQ(taken->driver, State::Driver::kThisRun);
-  EXPECT_TRUE(taken->is_taken);
+  EXPECT_EQ(taken->readiness, State::Readiness::kTaken);
   EXPECT_NEAR(taken->age, 0.1, 1e-9);
   ASSERT_TRUE(taken->battery) << "it has not become unknown what it said";
   EXPECT_NEAR(taken->battery->age, 0.5, 1e-9);

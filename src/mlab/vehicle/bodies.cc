@@ -62,9 +62,11 @@ binding::VehicleState::Readiness told(Readiness readiness) {
     case Readiness::kSilent:
       return Told::kSilent;
     case Readiness::kNotReady:
-    case Readiness::kStandby:
-    case Readiness::kTaken:
       return Told::kNotReady;
+    case Readiness::kStandby:
+      return Told::kStandby;
+    case Readiness::kTaken:
+      return Told::kTaken;
     case Readiness::kReady:
       return Told::kReady;
     case Readiness::kFaulty:
@@ -326,7 +328,6 @@ std::optional<binding::VehicleState> Bodies::vehicle(std::string_view name) cons
   if (state.report.readiness != Readiness::kReady) out.why = why_not_ready(state.report);
   out.trip = state.trip;
   out.driver = driver_of(state);
-  out.is_taken = state.report.readiness == Readiness::kTaken;
   out.is_stopped = state.is_stopped;
   out.is_global = state.report.is_global;
   if (state.report.motion) out.motion_age = age(state.report.motion->at);
@@ -339,7 +340,8 @@ std::optional<binding::VehicleState> Bodies::vehicle(std::string_view name) cons
 
 // ---- the cycle
 
-void Bodies::sense_with(State& state, const percept::Needs& needs, percept::Percepts& out) {
+void Bodies::sense_around(State& state, const geom::Pose& at, const percept::Needs& needs,
+                          percept::Percepts& out) {
   using percept::Sensor;
   out.objects = {};
   out.touch = {};
@@ -347,19 +349,14 @@ void Bodies::sense_with(State& state, const percept::Needs& needs, percept::Perc
   out.obstacles = {};
   out.ranges = {};
   if (needs.has(Sensor::kObstacles))
-    out.obstacles = state.map.obstacles(state.motion->pose, needs[Sensor::kObstacles], out.robots);
-  if (!needs.has(Sensor::kRanges)) return;
-  out.ranges = state.ranges;
-  out.range_limit = state.range_limit;
+    out.obstacles = state.map.obstacles(at, needs[Sensor::kObstacles], out.robots);
 }
 
-void Bodies::sense_elsewhere(State& state, const geom::Pose& pose, const percept::Needs& needs,
-                             percept::Percepts& out) {
-  using percept::Sensor;
-  if (!state.motion) return;
-  if (needs.has(Sensor::kObstacles))
-    out.obstacles = state.map.obstacles(in_frame(state.frame, pose), needs[Sensor::kObstacles], out.robots);
-  out.ranges = {};
+void Bodies::sense_with(State& state, const percept::Needs& needs, percept::Percepts& out) {
+  sense_around(state, state.motion->pose, needs, out);
+  if (!needs.has(percept::Sensor::kRanges)) return;
+  out.ranges = state.ranges;
+  out.range_limit = state.range_limit;
 }
 
 void Bodies::percepts(std::span<const binding::Sensing> robots, int worker) {
@@ -378,7 +375,8 @@ percept::Percepts Bodies::sense(BodyIndex body, const percept::Needs& needs) con
 percept::Percepts Bodies::sense_at(BodyIndex body, const geom::Pose& pose,
                                    const percept::Needs& needs) const {
   percept::Percepts out = others_->view().sense_at(body, pose, needs);
-  if (Vehicle* const vehicle = of(body)) sense_elsewhere(vehicle->now, pose, needs, out);
+  if (Vehicle* const vehicle = of(body))
+    sense_around(vehicle->now, in_frame(vehicle->now.frame, pose), needs, out);
   return out;
 }
 

@@ -128,10 +128,11 @@ class Bodies final : public binding::Binding, private binding::WorldView {
   static void note_trip(State& state, std::uint64_t command);
   binding::VehicleState::Driver driver_of(const State& state) const;
   static geom::Pose pose_of(const State& state);
+  /// What it knows, or would know if it stood elsewhere, by what it has seen from where it was.
+  /// @param at  in the frame of its odometry
+  static void sense_around(State& state, const geom::Pose& at, const percept::Needs& needs,
+                           percept::Percepts& out);
   static void sense_with(State& state, const percept::Needs& needs, percept::Percepts& out);
-  /// What it would know of if it stood elsewhere, by what it has seen from where it was.
-  static void sense_elsewhere(State& state, const geom::Pose& pose, const percept::Needs& needs,
-                              percept::Percepts& out);
   void command(Vehicle& vehicle, const percept::Action& action, double dt) const;
   std::string ailment_of(Vehicle& vehicle) const;
 

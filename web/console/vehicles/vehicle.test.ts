@@ -51,9 +51,10 @@ describe("how a vehicle is", () => {
     const word = (init: Told) => condition(vehicle(init)).word;
     expect(word({})).toBe("Ready");
     expect(word({ readiness: Readiness.NOT_READY })).toBe("Not ready");
-    expect(word({ readiness: Readiness.NOT_READY, isTaken: true })).toBe("A pilot has it");
+    expect(word({ readiness: Readiness.TAKEN })).toBe("A pilot has it");
     expect(word({ driver: Driver.ANOTHER_RUN })).toBe("Another run has it");
-    expect(word({ readiness: Readiness.FAULTY, isTaken: true })).toBe("Faulty");
+    expect(word({ readiness: Readiness.STANDBY })).toBe("On standby");
+    expect(word({ readiness: Readiness.FAULTY })).toBe("Faulty");
     expect(word({ isStopped: true, readiness: Readiness.FAULTY })).toBe("Emergency stop");
     expect(word({ isStopped: true, age: 12.7 })).toBe("Silent for 12 s");
     expect(word({ readiness: Readiness.UNHEARD, age: 3 })).toBe("Not heard yet");
@@ -98,7 +99,7 @@ describe("what a vehicle has", () => {
     expect(linkText(vehicle({ age: 31.9 }))).toBe("nothing for 31 s");
     expect(linkText(vehicle({ readiness: Readiness.UNHEARD }))).toBe("nothing has come from it");
     expect(driverText(vehicle())).toBe("this run");
-    expect(driverText(vehicle({ isTaken: true }))).toBe("a pilot, or its own failsafe");
+    expect(driverText(vehicle({ readiness: Readiness.TAKEN }))).toBe("a pilot, or somebody else");
   });
   it("is told of its place and sensors, of those that are alike once", () => {
     expect(placeText(vehicle())).toBe("known on the map");

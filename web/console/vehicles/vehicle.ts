@@ -26,6 +26,10 @@ export function isHeard(vehicle: Status_Vehicle): boolean {
   return vehicle.readiness !== Readiness.UNHEARD;
 }
 
+export function isTaken(vehicle: Status_Vehicle): boolean {
+  return vehicle.readiness === Readiness.TAKEN;
+}
+
 export function isOld(vehicle: Status_Vehicle): boolean {
   return !isHeard(vehicle) || vehicle.age > kOld;
 }
@@ -36,8 +40,9 @@ export function condition(vehicle: Status_Vehicle): { word: string; tone: Tone }
   if (vehicle.age > kOld) return { word: `Silent for ${seconds(vehicle.age)}`, tone: "danger" };
   if (vehicle.isStopped) return { word: "Emergency stop", tone: "danger" };
   if (vehicle.readiness === Readiness.FAULTY) return { word: "Faulty", tone: "danger" };
-  if (vehicle.isTaken) return { word: "A pilot has it", tone: "hold" };
+  if (isTaken(vehicle)) return { word: "A pilot has it", tone: "hold" };
   if (vehicle.driver === Driver.ANOTHER_RUN) return { word: "Another run has it", tone: "hold" };
+  if (vehicle.readiness === Readiness.STANDBY) return { word: "On standby", tone: "" };
   if (vehicle.readiness !== Readiness.IS_READY) return { word: "Not ready", tone: "hold" };
   return { word: "Ready", tone: "go" };
 }
@@ -46,7 +51,7 @@ export function condition(vehicle: Status_Vehicle): { word: string; tone: Tone }
 export function whyNot(vehicle: Status_Vehicle): string {
   const parts = [
     vehicle.isStopped ? "an emergency stop holds there" : "",
-    vehicle.isTaken ? "a pilot, or a failsafe of its own, has taken it: it is left to them" : "",
+    isTaken(vehicle) ? "a pilot, or somebody else, has taken it: it is left to them" : "",
     vehicle.why === "" ? "" : `it ${vehicle.why}`,
   ].filter((part) => part !== "");
   return list(parts);
@@ -88,8 +93,9 @@ export function linkText(vehicle: Status_Vehicle): string {
   return vehicle.trip === undefined ? age : `${age}, ${seconds(vehicle.trip)} there and back`;
 }
 
-export function driverText({ driver, isTaken }: Status_Vehicle): string {
-  if (isTaken) return "a pilot, or its own failsafe";
+export function driverText(vehicle: Status_Vehicle): string {
+  const { driver } = vehicle;
+  if (isTaken(vehicle)) return "a pilot, or somebody else";
   if (driver === Driver.THIS_RUN) return "this run";
   return driver === Driver.ANOTHER_RUN ? "another run" : "nobody";
 }

@@ -11,7 +11,7 @@ using binding::VehicleState;
 
 // The enumerations count alike.
 Status::Vehicle::Readiness readiness_of(VehicleState::Readiness readiness) {
-  static_assert(static_cast<int>(VehicleState::Readiness::kFaulty) == Status::Vehicle::FAULTY);
+  static_assert(static_cast<int>(VehicleState::Readiness::kTaken) == Status::Vehicle::TAKEN);
   return static_cast<Status::Vehicle::Readiness>(readiness);
 }
 Status::Vehicle::Driver driver_of(VehicleState::Driver driver) {
@@ -26,7 +26,6 @@ void encode(const VehicleState& state, Status::Vehicle& out) {
   out.set_age(state.age);
   if (state.trip) out.set_trip(*state.trip);
   out.set_driver(driver_of(state.driver));
-  out.set_is_taken(state.is_taken);
   out.set_is_stopped(state.is_stopped);
   out.set_is_global(state.is_global);
   if (state.motion_age) out.set_motion_age(*state.motion_age);

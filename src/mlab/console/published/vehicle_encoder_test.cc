@@ -162,7 +162,7 @@ TEST_F(Vehicles, ThatAPilotTakesAreToldSo) {
   vehicle_->rover.told.readiness = Readiness::kTaken;
   vehicle_->rover.told.why = "is in another mode: MANUAL";
   pass(0.5);
-  EXPECT_TRUE(told().vehicles(0).is_taken());
+  EXPECT_EQ(told().vehicles(0).readiness(), Status::Vehicle::TAKEN);
   EXPECT_EQ(told().vehicles(0).why(), "is in another mode: MANUAL");
 }
 

@@ -78,9 +78,10 @@ bool Roster::define_type(const statement::NewRobot& statement) {
   }
   if (statement.host && !statement.host->text.empty()) {
     type.host = statement.host->text;
-    diagnostics_.note("host-needs-fleet", place(statement.host->span),
-                      "with `--robots fleet` robots of this type are carried by the agent of this name, else "
-                      "they are computed here");
+    diagnostics_.note(
+        "host-needs-fleet", place(statement.host->span),
+        "with `--robots fleet` robots of this type have the vehicle of this name as body, or are "
+        "carried by the agent of this name; else they are computed here");
   }
   type.place = place(statement.program.span);
   for (const Parameter& p : statement.parameters) {
