@@ -28,8 +28,9 @@ TEST_F(Command, CheckTellsANoteAndChangesNoExitStatusForIt) {
   const Outcome told = mlab("check --strict mission.mdl");
   EXPECT_EQ(told.status, 0) << told.err;
   EXPECT_EQ(told.out, "mission.mdl: mission, 0 errors, 0 warnings, 1 note\n");
-  EXPECT_TRUE(
-      has(told.err, "mission.mdl:2:28: note: with `--robots fleet` robots of this type are carried by"))
+  EXPECT_TRUE(has(told.err,
+                  "mission.mdl:2:28: note: with `--robots fleet` robots of this type have the vehicle of "
+                  "this name as body"))
       << told.err;
   const Json json = Json::parse(mlab("check --format json mission.mdl").out);
   EXPECT_EQ(json.at("files").at(0).at("diagnostics").at(0).at("level"), "note");

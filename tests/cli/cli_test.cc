@@ -57,7 +57,9 @@ TEST_F(Command, PrintInThePreambleAndAnOrderToOneRobotAreCarriedOut) {
   ASSERT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_TRUE(has(o.out, "PP         There")) << o.out;
   EXPECT_TRUE(has(o.out, "robot 2      ROBOT            not started")) << o.out;
-  EXPECT_TRUE(has(o.err, "mission.mdl:4:28: note: with `--robots fleet` robots of this type are carried by"))
+  EXPECT_TRUE(has(o.err,
+                  "mission.mdl:4:28: note: with `--robots fleet` robots of this type have the vehicle of "
+                  "this name as body"))
       << o.err;
   EXPECT_LT(o.out.find("PP         There"), o.out.find("step 0")) << "once, before the mission begins";
   const Json report = Json::parse(text_of(folder_ / "r.json"));
