@@ -13,6 +13,9 @@ export RC_PARAMS="seed=$(seed_of_commit) ${RC_PARAMS-}"
 # Sanitizers look at what is done, which the first examples of a property have done, too; all of them run in `unit`.
 fewer_examples="$RC_PARAMS max_success=25"
 
+# How many tests run at once where they wait for each other, or for real time, half of the time.
+waiting_jobs=$((jobs + (jobs + 1) / 2))
+
 run_ctest() {
   local folder=$1
   shift
@@ -82,7 +85,7 @@ stage_e2e() {
     echo "npm could not install the SCXML interpreter (offline?); its test is skipped"
   install_peers tests/mcap "$build/test/mcap_peers" || echo "npm could not install readers of MCAP (offline?); their tests are skipped"
   install_peers tests/vehicles "$build/test/vehicle_peers" || echo "npm could not install vehicles (offline?); their tests are skipped"
-  run_ctest "$build/test" -L e2e
+  run_ctest "$build/test" -L e2e -j "$waiting_jobs"
 }
 
 # One build for the fuzzers and the sanitized unit tests. Optimised is only what they spend their time in (MLAB_BUSY_MODULES):
@@ -103,15 +106,14 @@ compile_address() {
   configure_asan
   ninja -C "$build/asan" -j "$jobs" unit_tests
 }
-stage_address() { RC_PARAMS=$fewer_examples run_ctest "$build/asan" -LE 'repo|e2e|fuzz'; }
+stage_address() { RC_PARAMS=$fewer_examples run_ctest "$build/asan" -LE 'repo|e2e|fuzz' -j "$waiting_jobs"; }
 
 compile_thread() {
   configure "$build/tsan" -DCMAKE_CXX_COMPILER=clang++-19 -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -g1" \
     -DMLAB_UNITY=ON -DMLAB_TESTS=ON -DMLAB_SANITIZE=thread
   ninja -C "$build/tsan" -j "$jobs" threaded_tests
 }
-# Half of the time they wait for each other.
-stage_thread() { RC_PARAMS=$fewer_examples run_ctest "$build/tsan" -L threads -j $((jobs + (jobs + 1) / 2)); }
+stage_thread() { RC_PARAMS=$fewer_examples run_ctest "$build/tsan" -L threads -j "$waiting_jobs"; }
 
 compile_tidy() {
   configure_test

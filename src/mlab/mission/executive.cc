@@ -61,6 +61,10 @@ State initial_state(std::shared_ptr<const Mission> mission, const ExecutiveOptio
   return state;
 }
 
+void hold_until(State& state, double time) {
+  state.time = std::max(state.time, time);
+}
+
 Advance advance(State state, const Event& event) {
   Advance result{std::move(state), {}};
   if (result.state.mode == State::Mode::kQuit) return result;

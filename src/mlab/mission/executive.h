@@ -29,6 +29,12 @@ State initial_state(std::shared_ptr<const Mission> mission, const ExecutiveOptio
 ///          change nothing or are answered with a warning
 Advance advance(State state, const Event& event);
 
+/// Up to then all robots were held by somebody else (an emergency stop): no command is behind because of that
+/// time.
+///
+/// @param time  of the run [s]; earlier than the state's: changes nothing
+void hold_until(State& state, double time);
+
 /// True where nothing but the operator's answer can move the mission on: no robot has anything left to do and
 /// no question answers itself. With speed `max` simulated time then stands still.
 bool awaits_only_operator(const State& state);

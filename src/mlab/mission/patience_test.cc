@@ -52,6 +52,16 @@ TEST_F(Patience, FailsACommandWithoutProgressAndSaysWhoIsWhereAndWhy) {
   EXPECT_NE(fleet.state().commands[2].message.find("no progress for 60 s"), std::string::npos);
 }
 
+TEST_F(Patience, IsNotTriedByTimeInWhichSomebodyElseHoldsAllRobots) {
+  disturb_ = [](ToyFleet& fleet) {
+    fleet.run_cycles(10);
+    fleet.hold(700.0);
+  };
+  const ToyFleet& fleet = run(100.0);
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone) << fleet.transcript();
+  EXPECT_GT(fleet.time(), 700.0);
+}
+
 TEST_F(Patience, LastsWhileAnyRobotComesNearer) {
   disturb_ = [](ToyFleet& fleet) {
     fleet.robot(1).is_stuck = true;  // the other one drags their centre to the goal, slowly

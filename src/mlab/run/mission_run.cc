@@ -227,6 +227,7 @@ MissionRun::Progress MissionRun::brake() {
   now_.has_looked = false;
   ++now_.cycle;
   fleet_->brake(now_.dt);
+  mission::hold_until(now_.executive, time());
   return Progress::kStepped;
 }
 

@@ -187,20 +187,43 @@ class SharedStop {
   std::vector<std::string> told_;
 };
 
+/// Keeps a run from going faster than it should.
+class Pace {
+ public:
+  /// @param speed  of the mission's clock, times that of the wall; 0: as fast as it can
+  explicit Pace(double speed) : speed_(speed) {}
+
+  /// Time that passed while the mission's clock stood still does not count.
+  /// @param since  by the steady clock [s]
+  void leave_out(double since) { idle_ += steady_seconds() - since; }
+  /// Returns when the next cycle is due.
+  void wait_for(const run::MissionRun& run) {
+    if (speed_ <= 0.0) return;
+    const double ahead = run.time() / speed_ - (steady_seconds() - began_ - idle_);
+    if (ahead > 0.0) pass_time(ahead);
+    // Robots that nobody waits for could not follow cycles that are made up for.
+    if (run.is_in_real_time() && ahead < -run.cycle_duration()) idle_ -= ahead;
+  }
+
+ private:
+  double speed_;
+  double began_ = steady_seconds();
+  double idle_ = 0.0;
+};
+
 // Steps until the mission has ended, its time is up or somebody ends it.
 run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
                       TerminalOperator& person, Plot& plot) {
   run::MissionRun& run = *prepared.run;
-  const double began = steady_seconds();
+  Pace pace(prepared.speed);
   SharedStop stop(run, screen, prepared.stop_line.get(), options.network);
   if (prepared.stop_line) prepared.stop_line->settle();
-  double idle = 0.0;  // time that passed while the simulation stood still does not count against its pace
   execute(prepared, screen);
   while (!was_interrupted()) {
     if (const double ahead = person.ahead(); ahead > 0.0) {
       const double before = steady_seconds();
       person.attend(static_cast<int>(std::min(ahead * 1000.0, 100.0)) + 1);
-      idle += steady_seconds() - before;
+      pace.leave_out(before);
       continue;
     }
     if (options.limit && run.time() >= *options.limit) {
@@ -215,9 +238,13 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
     const run::MissionRun::Progress progress = run.step();
     if (prepared.recording) prepared.recording->note(progress);
     if (run.is_stopped()) {
-      const double before = steady_seconds();
-      if (progress == run::MissionRun::Progress::kWaits) pass_time(0.05);
-      idle += steady_seconds() - before;
+      if (progress == run::MissionRun::Progress::kWaits) {
+        const double before = steady_seconds();
+        pass_time(0.05);
+        pace.leave_out(before);
+      } else {
+        pace.wait_for(run);
+      }
       continue;
     }
     if (progress == run::MissionRun::Progress::kOver) return run::RunEnd::kByItself;
@@ -235,16 +262,11 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
         run.post(mission::event::Abort{});
         return run::RunEnd::kByItself;
       }
-      if (waits) idle += steady_seconds() - before;
+      if (waits) pace.leave_out(before);
     } else if (waits) {
       return run::RunEnd::kByItself;
     }
-    if (prepared.speed > 0.0) {
-      const double ahead = run.time() / prepared.speed - (steady_seconds() - began - idle);
-      if (ahead > 0.0) pass_time(ahead);
-      // Robots that nobody waits for could not follow cycles that are made up for.
-      if (run.is_in_real_time() && ahead < -run.cycle_duration()) idle -= ahead;
-    }
+    pace.wait_for(run);
   }
   return run::RunEnd::kInterrupted;
 }

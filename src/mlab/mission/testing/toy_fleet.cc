@@ -102,6 +102,11 @@ void ToyFleet::run_cycles(int count) {
   for (int i = 0; i < count; ++i) cycle();
 }
 
+void ToyFleet::hold(double seconds) {
+  time_ += seconds;
+  hold_until(state_, time_);
+}
+
 bool ToyFleet::run_until(const std::function<bool()>& holds, double seconds) {
   const double end = time_ + seconds;
   while (!holds()) {

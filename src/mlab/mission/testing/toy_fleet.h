@@ -67,6 +67,8 @@ class ToyFleet {
   /// Cycles until nothing runs or the time is up. @return true where nothing runs
   bool run(double seconds = 3600.0);
   void run_cycles(int count);
+  /// Somebody else holds all of them: time passes, and the executive hears nothing.
+  void hold(double seconds);
   /// Cycles until the predicate holds. @return false where that takes longer
   bool run_until(const std::function<bool()>& holds, double seconds = 3600.0);
 
