@@ -4,7 +4,7 @@
 //     fleet_bench lock-step [ROBOTS] [AGENTS] [SECONDS]       robot-cycles per second, as a run has them
 //     fleet_bench real-time [ROBOTS] [AGENTS] [SECONDS] [HZ]  from percepts to the action that answers them
 //     fleet_bench stop [ROBOTS] [AGENTS] [PULLS] [LOST_OF_THOUSAND]  from the emergency stop to `stand`
-//     fleet_bench join [AGENTS]                               until all have found each other
+//     fleet_bench join [AGENTS]                               until all are found, and have found each other
 //     fleet_bench rest [AGENTS] [SECONDS]                     what a fleet takes that does nothing
 //
 // With --secure as the last word the fleet is a secured one, and all agents have the same identity.
@@ -180,6 +180,18 @@ class Fleet {
     for (const pid_t agent : agents_) ::waitpid(agent, nullptr, 0);
   }
   const std::shared_ptr<agents::Roster>& roster() const { return roster_; }
+  /// Waits until all agents have found each other, too: they are busy with that as long as it takes.
+  void settle() const {
+    constexpr auto kGlance = std::chrono::milliseconds(250);
+    constexpr double kMost = 0.75;  // of one processor; fifty that rest take less
+    double before = processor_time();
+    for (int quiet = 0; quiet < 2;) {
+      std::this_thread::sleep_for(kGlance);
+      const double now = processor_time();
+      quiet = now - before < kMost * seconds(kGlance) ? quiet + 1 : 0;
+      before = now;
+    }
+  }
   /// Of all agents and of this process, as far as it has been counted [s].
   double processor_time() const {
     double out = processor_time_of(::getpid());
@@ -221,6 +233,7 @@ void print_times(const char* what, std::vector<double>& times) {
 
 void lock_step(std::size_t robots, std::size_t agents, double duration) {
   const Fleet fleet(agents, 0);
+  fleet.settle();
   const auto runner = agents::make_fleet_runner(fleet.roster(), kSeed, kVersion, 0.0);
   const robot::RobotProgram program = standard_robot();
   struct Robot {
@@ -462,6 +475,9 @@ void join(std::size_t agents) {
   const Fleet fleet(agents, 0);
   fmt::print("join: {} agents found within {:.2f} s of their start, {:.2f} s of processor time\n", agents,
              seconds(Clock::now() - began), fleet.processor_time());
+  fleet.settle();
+  fmt::print("join: at rest after {:.2f} s, {:.2f} s of processor time\n", seconds(Clock::now() - began),
+             fleet.processor_time());
 }
 
 void rest(std::size_t agents, double duration) {

@@ -32,15 +32,23 @@ constexpr milliseconds kGivenUpAfter{5000};
 /// How often a participant says that it is there to those that have not heard of it.
 constexpr milliseconds kSaysItIsThereEvery{2000};
 /// How soon what was lost is sent again once that is known, and how often it is asked for. Cyclone's own
-/// figures (100 ms, 10 ms, 3 s) spare a busy network; here somebody waits.
+/// figures (100 ms, 3 s) spare a busy network; here somebody waits.
 constexpr milliseconds kAsksAgainAfter{2};
-constexpr milliseconds kConfirmsAfter{2};
 constexpr milliseconds kAsksAgainEvery{50};
-/// How soon writers ask all readers what they have, those of discovery among them. Who joins has some ten of
-/// each other participant and all ask each: at 2 ms fifty of them were asked more than two processors can
-/// answer, and what came late was asked for again. Where somebody waits, Prompter makes up for it.
-constexpr milliseconds kTellsWhatIsThereEvery{200};
-constexpr milliseconds kTellsWhatIsThereAtLeastEvery{400};
+
+/// How participants keep each other informed of what has arrived.
+struct Confirming {
+  milliseconds confirms_after{};  ///< what was confirmed a moment ago is not confirmed again
+  /// How soon writers ask all readers what they have, those of discovery among them. Who joins has some ten
+  /// of each other participant and all ask each: at 2 ms fifty of them were asked more than two processors
+  /// can answer, and what came late was asked for again. Where somebody waits, Prompter makes up for it.
+  milliseconds asks{};
+  milliseconds asks_at_least{};
+};
+constexpr Confirming kUnsecured{milliseconds{2}, milliseconds{200}, milliseconds{400}};
+/// Who proves who he is takes longer, has more writers to ask, and each answer is encrypted: at the intervals
+/// above, fifty who join at once are asked some forty times by each writer before they are through.
+constexpr Confirming kSecured{milliseconds{10}, milliseconds{500}, milliseconds{2000}};
 
 bool is_fleet_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
@@ -125,13 +133,13 @@ Multicast multicast_on(const Interface& own) {
   return own.has_multicast ? Multicast{true, false, "spdp"} : Multicast{};
 }
 
-std::string repetition() {
+std::string repetition(const Confirming& how) {
   return fmt::format(
       "<NackDelay>{0} ms</NackDelay><AckDelay>{1} ms</AckDelay><AutoReschedNackDelay>{2} "
       "ms</AutoReschedNackDelay>"
       "<HeartbeatInterval min=\"{3} ms\" minsched=\"{3} ms\" max=\"{4} ms\">{3} ms</HeartbeatInterval>",
-      kAsksAgainAfter.count(), kConfirmsAfter.count(), kAsksAgainEvery.count(),
-      kTellsWhatIsThereEvery.count(), kTellsWhatIsThereAtLeastEvery.count());
+      kAsksAgainAfter.count(), how.confirms_after.count(), kAsksAgainEvery.count(), how.asks.count(),
+      how.asks_at_least.count());
 }
 
 std::expected<void, std::string> check_fleet(const std::string& fleet) {
@@ -210,7 +218,8 @@ std::expected<std::string, std::string> configuration_of(const Network& network)
       "</Domain></CycloneDDS>",
       text_of(own->address), multicast.is_used, multicast.allowed, domain_of(network.fleet), network.fleet,
       kMaxParticipants - 1, *peers, kGivenUpAfter.count(), kSaysItIsThereEvery.count(),
-      kMaxBody + kEnvelopeBytes, repetition(), network.lost_of_thousand);
+      kMaxBody + kEnvelopeBytes, repetition(network.security ? kSecured : kUnsecured),
+      network.lost_of_thousand);
 }
 
 }  // namespace mlab::dds

@@ -5,6 +5,17 @@
 
 namespace mlab::dds {
 
+void Prompter::Pace::written(Clock::time_point now) {
+  const Clock::duration between = now - std::exchange(last_, now);
+  // The shortest of late: one cycle in which something was lost must not make the next loss be noticed later.
+  if (between < kSlowest) usual_ = std::min(between, usual_ + usual_ / 4 + std::chrono::microseconds(50));
+}
+
+Prompter::Clock::duration Prompter::Pace::patience() const {
+  // Five cycles are waited for, so that the thread need not wake up in each.
+  return std::clamp<Clock::duration>(5 * usual_, kFirst, kLongest);
+}
+
 Prompter::Task::Task(Prompter& prompter, std::function<void()> prompt)
     : prompter_(prompter), prompt_(std::move(prompt)) {
   const std::scoped_lock lock(prompter_.mutex_);
@@ -20,11 +31,8 @@ Prompter::Task::~Task() {
 void Prompter::Task::written() {
   const Clock::time_point now = Clock::now();
   const std::scoped_lock lock(prompter_.mutex_);
-  // The shortest of late: one cycle in which something was lost must not make the next loss be noticed later.
-  const Clock::duration between = now - std::exchange(last_, now);
-  if (between < kMost) usual_ = std::min(between, usual_ + usual_ / 4 + std::chrono::microseconds(50));
-  // Five cycles are waited for, so that the thread need not wake up in each.
-  due_ = now + std::max<Clock::duration>(5 * usual_, kFirst);
+  pace_.written(now);
+  due_ = now + pace_.patience();
   left_ = kPrompts;
   if (due_ >= prompter_.wakes_at_ || std::exchange(prompter_.is_too_late_, true)) return;
   prompter_.changed_.notify_all();
@@ -48,7 +56,7 @@ Prompter::Clock::time_point Prompter::prompt_the_due(std::unique_lock<std::mutex
     const Clock::time_point now = Clock::now();
     if (task.due_ > now) return task.due_;
     --task.left_;
-    task.due_ = now + std::clamp<Clock::duration>((now - task.last_) / 2, kFirst, kMost);
+    task.due_ = now + std::clamp<Clock::duration>((now - task.pace_.last()) / 2, kFirst, kMost);
     prompted_ = &task;
     lock.unlock();
     task.prompt_();

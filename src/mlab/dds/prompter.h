@@ -22,6 +22,24 @@ class Prompter {
   static constexpr std::chrono::milliseconds kMost{16};  ///< between two
   static constexpr int kPrompts = 12;                    ///< after which Cyclone's own, slower means are left
 
+  /// How fast writes follow each other, and how long readers may miss one before they are prompted.
+  class Pace {
+   public:
+    /// Fifty robots of a secured fleet on one machine take twenty milliseconds for a cycle. Who was prompted
+    /// in each had more to do, took longer, and was prompted more often.
+    static constexpr std::chrono::milliseconds kSlowest{50};   ///< between writes that follow each other
+    static constexpr std::chrono::milliseconds kLongest{100};  ///< that readers are left alone
+
+    void written(Clock::time_point now);
+    /// From the last write to the first prompt.
+    Clock::duration patience() const;
+    Clock::time_point last() const { return last_; }
+
+   private:
+    Clock::time_point last_;   // write
+    Clock::duration usual_{};  // between two writes, where they follow each other
+  };
+
   /// A writer's part of it. May be used by any thread.
   class Task {
    public:
@@ -38,10 +56,9 @@ class Prompter {
     Prompter& prompter_;
     std::function<void()> prompt_;
     // Under the prompter's mutex:
-    Clock::time_point last_;   // write
-    Clock::duration usual_{};  // between two writes, where they follow each other fast
-    Clock::time_point due_;    // of the next prompt
-    int left_ = 0;             // prompts
+    Pace pace_;
+    Clock::time_point due_;  // of the next prompt
+    int left_ = 0;           // prompts
   };
 
   Prompter();

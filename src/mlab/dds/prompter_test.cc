@@ -11,6 +11,32 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
+/// How long readers are left alone after a hundred writes.
+Clock::duration patience_after(Prompter::Clock::duration between) {
+  Prompter::Pace pace;
+  Clock::time_point now;
+  for (int i = 0; i < 100; ++i) pace.written(now += between);
+  return pace.patience();
+}
+
+TEST(DdsPrompter, LeavesReadersAloneForSomeCyclesHoweverSlowTheyAre) {
+  EXPECT_EQ(patience_after(std::chrono::microseconds(100)), Prompter::kFirst);
+  EXPECT_EQ(patience_after(milliseconds(3)), milliseconds(15));
+  EXPECT_EQ(patience_after(milliseconds(17)), milliseconds(85));
+  EXPECT_EQ(patience_after(milliseconds(49)), Prompter::Pace::kLongest);
+  EXPECT_EQ(patience_after(milliseconds(51)), Prompter::kFirst) << "a command now and then";
+}
+
+TEST(DdsPrompter, NoticesTheNextLossAsSoonAsTheOneBefore) {
+  Prompter::Pace pace;
+  Clock::time_point now;
+  for (int i = 0; i < 100; ++i) pace.written(now += milliseconds(2));
+  pace.written(now += milliseconds(30));
+  EXPECT_LE(pace.patience(), milliseconds(13));
+  pace.written(now += milliseconds(2));
+  EXPECT_EQ(pace.patience(), milliseconds(10));
+}
+
 TEST(DdsPrompter, PromptsSomeTimesAfterTheLastWriteAndThenNoMore) {
   std::atomic<int> prompts = 0;
   Prompter prompter;

@@ -1,9 +1,16 @@
 // Participants of a secured fleet: who proves that he belongs to it is heard, nobody else.
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -86,6 +93,67 @@ struct Speaker {
   dds::Writer writer;
 };
 
+/// Somebody who has no keys and writes under the name of a member's participant: that stands in each packet,
+/// and numbers of writers are small ones.
+class Impostor {
+ public:
+  Impostor(const std::string& fleet, dds::Guid member)
+      : first_port_(7400 + 250 * dds::domain_of(fleet) + 10),
+        member_(member),
+        socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {}
+  Impostor(const Impostor&) = delete;
+  Impostor& operator=(const Impostor&) = delete;
+  ~Impostor() { ::close(socket_); }
+
+  /// As the second message of any of its writers, to all ports that the first participants of a fleet have.
+  void says(const std::string& body) const {
+    constexpr int kMostWriters = 16;
+    constexpr int kPorts = 40;
+    for (int writer = 1; writer <= kMostWriters; ++writer) {
+      const std::string packet = packet_of(writer, body);
+      for (int port = first_port_; port < first_port_ + kPorts; ++port) send(port, packet);
+    }
+  }
+
+ private:
+  static std::string number(std::uint32_t value) {
+    std::string out;
+    for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>((value >> shift) & 0xffU);
+    return out;
+  }
+  /// XCDR1, little endian: a text with its zero, at a multiple of four the bytes.
+  static std::string envelope_of(const std::string& text) {
+    std::string out("\0\1\0\0", 4);
+    out += number(static_cast<std::uint32_t>(text.size() + 1)) + text + '\0';
+    while (out.size() % 4 != 0) out += '\0';
+    return out + number(static_cast<std::uint32_t>(text.size())) + text;
+  }
+  std::string packet_of(int writer, const std::string& text) const {
+    constexpr char kWithKey = 2;
+    std::string data("\0\0\x10\0\0\0\0\0\0\0", 10);  // where what follows begins, for any reader
+    data += std::string{static_cast<char>(writer), kWithKey};
+    data += number(0) + number(2) + envelope_of(text);
+    while (data.size() % 4 != 0) data += '\0';
+    constexpr std::size_t kPrefix = 12;
+    std::string out("RTPS\x02\x01\x01\x10", 8);
+    out.append(reinterpret_cast<const char*>(member_.bytes.data()), kPrefix);
+    out += std::string("\x15\x05", 2) + static_cast<char>(data.size() & 0xffU) +
+           static_cast<char>(data.size() >> 8U);
+    return out + data;
+  }
+  void send(int port, const std::string& packet) const {
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(static_cast<std::uint16_t>(port));
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    ::sendto(socket_, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
+  }
+
+  int first_port_;
+  dds::Guid member_;
+  int socket_;
+};
+
 TEST_F(SecuredParticipant, HearsWhoBelongsToTheFleetAndNobodyElse) {
   const fs::path north = keys().add("north").value();
   const fs::path south = keys().add("south").value();
@@ -108,6 +176,24 @@ TEST_F(SecuredParticipant, HearsWhoBelongsToTheFleetAndNobodyElse) {
   const Speaker last_stranger(participant(strange), "late");
   EXPECT_TRUE(theirs.hears("late"));
   EXPECT_EQ(theirs.all(), "strange late ");
+}
+
+TEST_F(SecuredParticipant, HearsNothingThatIsOnlySaidInTheNameOfAMember) {
+  // Whose packets are not encrypted can be spoken for: so what the impostor sends is what would be obeyed.
+  Listener without(participant(std::nullopt));
+  Speaker unsecured(participant(std::nullopt), "unsecured");
+  ASSERT_TRUE(without.hears("unsecured"));
+  const Impostor false_one(fleet_, unsecured.participant.guid());
+  false_one.says("forged");
+  EXPECT_TRUE(without.hears("forged")) << without.all();
+  Listener ours(participant(keys().add("south").value()));
+  Speaker member(participant(keys().add("north").value()), "member");
+  ASSERT_TRUE(ours.hears("member"));
+  const Impostor impostor(fleet_, member.participant.guid());
+  impostor.says("forged");
+  ASSERT_EQ(member.writer.write("second", "second"), dds::Written::kDone);
+  EXPECT_TRUE(ours.hears("second"));
+  EXPECT_EQ(ours.all(), "member second ");
 }
 
 TEST_F(SecuredParticipant, DoesNotHearWhoWasWithdrawn) {
