@@ -155,10 +155,6 @@ void Goals::forget() {
   has_ended_ = true;
   is_known_ = false;
   unanswered_since_.reset();
-  unheard_.clear();
-  ours_.clear();
-  others_.clear();
-  look_for_others();
 }
 
 std::vector<GoalId> Goals::to_take_back(Time now) const {

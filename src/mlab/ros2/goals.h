@@ -35,7 +35,8 @@ class Goals {
   void take(const Heard& heard, Time now);
   /// Nothing is to be gone to any more.
   void drop();
-  /// The navigator is another one: it knows no goal that was given before.
+  /// The navigator is another one: it knows no goal that was given before. What was told of goals holds until
+  /// something else is.
   void forget();
 
   /// Goals of ours, also of processes before this one, that are gone to or may be soon: of which the
