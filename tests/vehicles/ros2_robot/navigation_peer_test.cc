@@ -34,7 +34,7 @@ TEST_F(Nav2Peer, GoesByGoalsStandsWhenTheyAreTakenBackAndIsFoundAgain) {
   connect(ros2::Drives::kGoals);
   ASSERT_TRUE(becomes([&] { return is_ready(); })) << report().why;
   EXPECT_TRUE(is_told("has a navigator, which is asked as rmw_fastrtps asks"));
-  ASSERT_TRUE(comes_to(0.4)) << report().why;
+  ASSERT_TRUE(comes_to(0.2)) << report().why;
   device_->stop(Clock::now());
   EXPECT_NE(stands(*robot), "") << robot->said();
   // Its `cmd_vel`, which goes before its goals, was told zero, too: they are seen to be gone when that is
@@ -64,11 +64,11 @@ TEST_F(Nav2Peer, IsLeftToAnotherClientUntilItsGoalIsOver) {
     EXPECT_TRUE(becomes([&] { return (out = other.is_accepted()).has_value(); }, [&] { drive(0.5); }));
     return out.value_or(false);
   };
-  ASSERT_TRUE(comes_to(0.1)) << report().why;
+  ASSERT_TRUE(comes_to(0.05)) << report().why;
   // Its goal is refused while ours is under way: that refusal is not ours.
   other.send(1, 9.0, "nowhere");
   EXPECT_FALSE(is_answered());
-  ASSERT_TRUE(comes_to(x() + 0.1)) << report().why;
+  ASSERT_TRUE(comes_to(x() + 0.05)) << report().why;
   EXPECT_EQ(report().readiness, Readiness::kReady) << report().why;
 
   other.send(2, 9.0);
@@ -80,7 +80,7 @@ TEST_F(Nav2Peer, IsLeftToAnotherClientUntilItsGoalIsOver) {
   other.cancel(2);
   ASSERT_TRUE(becomes([&] { return other.cancel_code() == 0; }));
   ASSERT_TRUE(becomes([&] { return is_ready(); })) << report().why;
-  EXPECT_TRUE(comes_to(x() + 0.1)) << "it is ours again";
+  EXPECT_TRUE(comes_to(x() + 0.05)) << "it is ours again";
   EXPECT_EQ(device_->checks(Clock::now())[1].result, vehicle::CheckResult::kPass);
   EXPECT_GT(other.strange_replies(), 0) << "those to us came to it, too";
 }
