@@ -42,7 +42,9 @@ TEST_F(Ros2Peer, IsSeenDrivenStoppedAndFoundAgain) {
   EXPECT_TRUE(stands(*robot).ends_with("it was told so")) << robot->said();
   ASSERT_TRUE(comes_to(x() + 0.2)) << report().why;
   // Where nobody calls the device any more, not even `work`, its own watchdog has it stand.
-  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  const auto end = Clock::now() + std::chrono::seconds(20);
+  while (!robot->has_said("nobody has told it anything since") && Clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const std::string why = stands(*robot);
   EXPECT_NE(why.find("nobody has told it anything since"), std::string::npos) << why;
 
