@@ -5,6 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
 
 #include "fast_client.h"
 #include "mlab/ros2/goals.h"
@@ -29,8 +34,8 @@ class Nav2Peer : public Ros2Peer {
   }
 };
 
-TEST_F(Nav2Peer, GoesByGoalsStandsWhenTheyAreTakenBackAndIsFoundAgain) {
-  auto robot = start_with_nav2({});
+TEST_F(Nav2Peer, GoesByGoalsAndStandsWhenTheyAreTakenBack) {
+  const auto robot = start_with_nav2({});
   connect(ros2::Drives::kGoals);
   ASSERT_TRUE(becomes([&] { return is_ready(); })) << report().why;
   EXPECT_TRUE(is_told("has a navigator, which is asked as rmw_fastrtps asks"));
@@ -42,16 +47,6 @@ TEST_F(Nav2Peer, GoesByGoalsStandsWhenTheyAreTakenBackAndIsFoundAgain) {
   const double stood = robot->last("stands at ").value_or(0.0);
   ASSERT_TRUE(becomes([&] { return robot->last(" at ").value_or(0.0) > stood + 0.8; }));
   EXPECT_LT(robot->last("goes at ").value_or(0.0), stood) << robot->said();
-
-  robot->end(SIGTERM);
-  robot = start_with_nav2({"--rmw", "rmw_cyclonedds_cpp"});
-  ASSERT_TRUE(becomes([&] { return is_told("has a navigator, which is asked as rmw_cyclonedds asks"); }));
-  // Who counts from elsewhere is believed once the one before is silent.
-  ASSERT_TRUE(becomes([&] { return is_ready() && x() < 0.1; })) << report().why;
-  EXPECT_FALSE(robot->has_said("goes at ")) << "it stands until the next drive";
-  ASSERT_TRUE(comes_to(0.2)) << report().why;
-  device_->stop(Clock::now());
-  EXPECT_NE(stands(*robot), "") << robot->said();
 }
 
 TEST_F(Nav2Peer, IsLeftToAnotherClientUntilItsGoalIsOver) {
@@ -86,38 +81,63 @@ TEST_F(Nav2Peer, IsLeftToAnotherClientUntilItsGoalIsOver) {
 }
 
 // The patience with a navigator that does not say what became of a goal goes by on a clock of the test's.
-TEST_F(Nav2Peer, IsKnownToRefuseAndToAbort) {
-  const auto robot = start_with_nav2({"--refuses", "1", "--aborts", "1"});
-  auto link = ros2::open_link(link_settings(true));
-  ASSERT_TRUE(link) << link.error();
-  ros2::Goals goals(2.0, 0.5, 1);
-  Clock::time_point now{std::chrono::hours(1)};
-  const auto comes = [&](const std::function<bool()>& is_so) {
+class Nav2Link : public Nav2Peer {
+ protected:
+  void SetUp() override {
+    auto opened = ros2::open_link(link_settings(true));
+    ASSERT_TRUE(opened) << opened.error();
+    link_ = std::move(*opened);
+  }
+  bool comes(const std::function<bool()>& is_so) {
     const auto end = Clock::now() + std::chrono::seconds(20);
-    do {
+    while (!is_so() && Clock::now() < end) {
       ros2::Heard heard;
-      (*link)->hear(heard);
-      goals.take(heard, now);
-    } while (!is_so() && Clock::now() < end);
+      link_->hear(heard);
+      goals_.take(heard, now_);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     return is_so();
-  };
-  const auto ask = [&] {
-    now += std::chrono::milliseconds(600);
-    const auto goal = goals.next({0.5, 0.0}, {}, "odom", {}, now);
-    if (goal) (*link)->send(*goal);
+  }
+  bool becomes_served(ros2::Services how) {
+    return comes([&] { return link_->listeners().navigator == how; });
+  }
+  bool ask() {
+    now_ += std::chrono::milliseconds(600);
+    const auto goal = goals_.next({0.5, 0.0}, {}, "odom", {}, now_);
+    if (goal) link_->send(*goal);
     return goal.has_value();
-  };
-  ASSERT_TRUE(comes([&] { return (*link)->listeners().can_be_given_goals(); }));
-  ASSERT_TRUE(ask());
-  ASSERT_TRUE(comes([&] { return robot->has_said("refuses a goal"); }));
-  EXPECT_EQ(goals.problem(), "");
-  now += std::chrono::milliseconds(2100);
-  ASSERT_TRUE(comes([&] { return goals.problem() == "does not take the goals that it is given"; }));
-  ASSERT_TRUE(ask());
-  ASSERT_TRUE(comes([&] { return goals.problem() == "finds no way to where it is to go"; }));
-  ASSERT_TRUE(ask());
-  ASSERT_TRUE(comes([&] { return robot->has_said("goes at "); })) << robot->said();
-  EXPECT_TRUE(comes([&] { return goals.has_any(); }));
+  }
+  void take_back() {
+    goals_.drop();
+    for (const ros2::GoalId& one : goals_.to_take_back(now_)) link_->cancel(one);
+  }
+
+  std::unique_ptr<ros2::Link> link_;
+  ros2::Goals goals_{2.0, 0.5, 1};
+  Clock::time_point now_{std::chrono::hours(1)};
+};
+
+TEST_F(Nav2Link, KnowsWhatBecomesOfGoalsHoweverServicesAreSpoken) {
+  for (const bool is_headed : {false, true}) {
+    SCOPED_TRACE(is_headed);
+    RobotProcess robot({"--domain", std::to_string(domain_), "--namespace", "/veh1", "--nav2", "--rmw",
+                        is_headed ? "rmw_cyclonedds_cpp" : "rmw_fastrtps_cpp", "--refuses", "1", "--aborts",
+                        "1"});
+    ASSERT_TRUE(becomes_served(is_headed ? ros2::Services::kHeaded : ros2::Services::kPlain));
+    ASSERT_TRUE(ask());
+    ASSERT_TRUE(comes([&] { return robot.has_said("refuses a goal"); }));
+    EXPECT_EQ(goals_.problem(), "");
+    now_ += std::chrono::milliseconds(2100);
+    ASSERT_TRUE(comes([&] { return goals_.problem() == "does not take the goals that it is given"; }));
+    ASSERT_TRUE(ask());
+    ASSERT_TRUE(comes([&] { return goals_.problem() == "finds no way to where it is to go"; }));
+    ASSERT_TRUE(ask());
+    ASSERT_TRUE(comes([&] { return robot.has_said("goes at ") && goals_.has_any(); })) << robot.said();
+    take_back();
+    EXPECT_TRUE(comes([&] { return robot.has_said("stands at ") && !goals_.has_any(); })) << robot.said();
+    robot.end(SIGTERM);
+    ASSERT_TRUE(becomes_served(ros2::Services::kNone));
+  }
 }
 
 }  // namespace
