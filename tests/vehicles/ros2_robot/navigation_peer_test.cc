@@ -34,26 +34,12 @@ class Nav2Peer : public Ros2Peer {
   }
 };
 
-TEST_F(Nav2Peer, GoesByGoalsAndStandsWhenTheyAreTakenBack) {
-  const auto robot = start_with_nav2({});
-  connect(ros2::Drives::kGoals);
-  ASSERT_TRUE(becomes([&] { return is_ready(); })) << report().why;
-  EXPECT_TRUE(is_told("has a navigator, which is asked as rmw_fastrtps asks"));
-  ASSERT_TRUE(comes_to(0.2)) << report().why;
-  device_->stop(Clock::now());
-  EXPECT_NE(stands(*robot), "") << robot->said();
-  // Its `cmd_vel`, which goes before its goals, was told zero, too: they are seen to be gone when that is
-  // over.
-  const double stood = robot->last("stands at ").value_or(0.0);
-  ASSERT_TRUE(becomes([&] { return robot->last(" at ").value_or(0.0) > stood + 0.8; }));
-  EXPECT_LT(robot->last("goes at ").value_or(0.0), stood) << robot->said();
-}
-
-TEST_F(Nav2Peer, IsLeftToAnotherClientUntilItsGoalIsOver) {
+TEST_F(Nav2Peer, GoesByGoalsButForAnotherClientsAndStandsWhenTheyAreTakenBack) {
   const auto robot = start_with_nav2({});
   FastClient other(domain_);
   connect(ros2::Drives::kGoals);
   ASSERT_TRUE(becomes([&] { return is_ready() && other.is_connected(); })) << report().why;
+  EXPECT_TRUE(is_told("has a navigator, which is asked as rmw_fastrtps asks"));
   const auto is_answered = [&] {
     std::optional<bool> out;
     EXPECT_TRUE(becomes([&] { return (out = other.is_accepted()).has_value(); }, [&] { drive(0.5); }));
@@ -78,6 +64,14 @@ TEST_F(Nav2Peer, IsLeftToAnotherClientUntilItsGoalIsOver) {
   EXPECT_TRUE(comes_to(x() + 0.05)) << "it is ours again";
   EXPECT_EQ(device_->checks(Clock::now())[1].result, vehicle::CheckResult::kPass);
   EXPECT_GT(other.strange_replies(), 0) << "those to us came to it, too";
+
+  device_->stop(Clock::now());
+  EXPECT_NE(stands(*robot), "") << robot->said();
+  // Its `cmd_vel`, which goes before its goals, was told zero, too: they are seen to be gone when that is
+  // over.
+  const double stood = robot->last("stands at ").value_or(0.0);
+  ASSERT_TRUE(becomes([&] { return robot->last(" at ").value_or(0.0) > stood + 0.8; }));
+  EXPECT_LT(robot->last("goes at ").value_or(0.0), stood) << robot->said();
 }
 
 // The patience with a navigator that does not say what became of a goal goes by on a clock of the test's.
