@@ -4,6 +4,7 @@
 // drives it.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <span>
@@ -82,20 +84,35 @@ class Script final : public ros2::Link {
     fuzz::require(may_move || (velocity.speed == 0.0 && velocity.turn_rate == 0.0));
   }
   void say(const ros2::State& state) override { fuzz::require(state.message.size() < 1000); }
-  std::int64_t send(const ros2::Goal& goal) override {
+  void send(const ros2::Goal& goal) override {
     fuzz::require(may_move && std::isfinite(goal.x) && std::isfinite(goal.y) && std::isfinite(goal.heading));
-    id_ = goal.id;
-    return ++requests_;
+    fuzz::require(listeners_.can_be_given_goals());
+    ids_[++sent_ % ids_.size()] = goal.id;
   }
-  void cancel_all_goals() override {}
+  void cancel(const ros2::GoalId& id) override {
+    fuzz::require(std::ranges::equal(kMark, std::span(id.bytes).first<4>()));
+  }
+  void cancel_all_goals() override { fuzz::require(may_stop_all); }
   std::vector<std::string> take_news() override { return {}; }
 
   Clock::time_point now;
   bool may_move = false;
+  bool may_stop_all = false;
 
  private:
+  /// What ids of goals of ours begin with: others' are not taken back one by one.
+  static constexpr std::array<std::uint8_t, 4> kMark = {'m', 'l', 'a', 'b'};
+  /// One of those that were sent, or of somebody.
+  ros2::GoalId goal_id() {
+    const std::uint8_t kind = input_.byte();
+    if (kind < 160) return ids_[kind % ids_.size()];
+    ros2::GoalId out;
+    for (std::uint8_t& one : out.bytes) one = kind < 240 ? 0 : input_.byte();
+    out.bytes[0] = kind % 4;
+    return out;
+  }
   void add(ros2::Heard& heard) {
-    switch (input_.byte() % 8) {
+    switch (input_.byte() % 9) {
       case 0:
         add_scan(heard);
         break;
@@ -108,12 +125,21 @@ class Script final : public ros2::Link {
         break;
       case 3: {
         const std::uint8_t bits = input_.byte();
-        listeners_ = {(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0};
+        listeners_.twist = (bits & 1U) != 0;
+        listeners_.twist_stamped = (bits & 2U) != 0;
+        if ((bits & 4U) != 0) listeners_.navigator = static_cast<ros2::Services>(bits >> 6U);
+        if ((bits & 8U) != 0) ++listeners_.navigators_so_far;
         break;
       }
-      case 4:
-        heard.goals.push_back({id_, static_cast<ros2::GoalState>(input_.byte() % 7)});
-        heard.answers.push_back({requests_, input_.byte() % 2 == 0});
+      case 4: {
+        if (!heard.goals) heard.goals.emplace();
+        const std::size_t times = input_.byte() % 32 == 0 ? 100 : 1;
+        for (std::size_t i = input_.byte() % 4 * times; i > 0; --i)
+          heard.goals->push_back({goal_id(), static_cast<ros2::GoalState>(input_.byte() % 7)});
+        break;
+      }
+      case 5:
+        heard.feedback.push_back({goal_id(), static_cast<std::int16_t>(input_.word())});
         break;
       default:
         heard.odometry.push_back({input_.stamp(now), input_.frame(), input_.frame(), vector(), rotation(),
@@ -142,9 +168,9 @@ class Script final : public ros2::Link {
 
   Input& input_;
   const std::string name_ = "fuzz";
-  ros2::Listeners listeners_{true, true, true};
-  ros2::GoalId id_;
-  std::int64_t requests_ = 0;
+  ros2::Listeners listeners_{.twist = true, .twist_stamped = true, .navigator = ros2::Services::kPlain};
+  std::array<ros2::GoalId, 4> ids_{};
+  std::size_t sent_ = 0;
 };
 
 }  // namespace
@@ -172,6 +198,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     fuzz::require(device.report(now).scans.size() <= 2);
     script.may_move = true;
     if (step % 5 == 4) device.stop(now);
+    script.may_stop_all = script.may_stop_all || step % 32 == 31;
+    if (step % 32 == 31) device.stop_in_emergency(now);
+    if (step % 16 == 15) device.engage(now);
     if (step % 3 == 0) device.drive({1e300, input.number()}, now);
     fuzz::require(device.take_news().size() <= 64);
   }

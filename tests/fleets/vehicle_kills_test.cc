@@ -18,12 +18,16 @@ using network::Process;
 
 /// What is told in one piece comes in the next one: a moment of the log, and of whoever reads it [s].
 constexpr double kLate = 0.3;
+/// Where it may take longer until a vehicle has to stand, one that stands is watched for so long [s].
+constexpr double kWatched = 1.5;
+constexpr double kWatchedAtLeast = 2.2;  // since it was struck [s]
 
 struct Blow {
   enum class What { kRunKilled, kRobotKilled, kLinkCut, kRobotStopped, kRunStopped };
   What what = What::kRunKilled;
   std::size_t whom = 0;  // of the vehicles; of no meaning where the run is struck
   bool waits = true;     // until all move
+  bool by_nav2 = false;  // the first vehicle is driven by its navigator
   std::chrono::milliseconds at{0};
 };
 
@@ -40,6 +44,7 @@ Blow any_blow(int number, std::mt19937& random) {
   Blow out;
   out.what = static_cast<Blow::What>(static_cast<std::size_t>(number) % kWhat.size());
   out.whom = static_cast<std::size_t>(number + 1) % 2;
+  out.by_nav2 = number % 4 == 1;
   out.waits = below(5) != 0;
   out.at = std::chrono::milliseconds(below(out.waits ? 2'000 : 5'000));
   return out;
@@ -65,7 +70,14 @@ class VehicleKills : public Fleets {
     vehicles_[0].peer = start_ros2_robot(net().host("north"), "", "0,0,0");
     vehicles_[1].peer = start_mavlink_rover(net().host("south"));
   }
-  void start_robots() {
+  void start_robots(bool by_nav2) {
+    Vehicle& first = vehicles_[0];
+    if (by_nav2_ != by_nav2 && first.robot && first.robot->is_running()) {
+      first.robot->signal(SIGTERM);
+      EXPECT_TRUE(first.robot->wait(kFleetPatience));
+    }
+    by_nav2_ = by_nav2;
+    first.peer->drive_by_nav2(by_nav2);
     for (Vehicle& one : vehicles_) {
       if (one.robot && one.robot->is_running()) continue;
       one.robot.reset();
@@ -132,10 +144,14 @@ class VehicleKills : public Fleets {
   void stands(const Blow& strike, Vehicle& vehicle, const VehiclePeer::Moment& struck) {
     // Where its `mlab robot` lives, that has it stop; else its own watchdog does.
     const bool is_told = strike.what != Blow::What::kRobotKilled && strike.what != Blow::What::kRobotStopped;
-    const double stated = vehicle.peer->standstill() + (is_told ? vehicle::kCommandPatience : 0.0);
+    const double stated = is_told ? vehicle.peer->standstill_when_told() + vehicle::kCommandPatience
+                                  : vehicle.peer->standstill();
     VehiclePeer::Moment now = vehicle.peer->now();
     std::optional<VehiclePeer::Moment> stood;
-    while (now.time < struck.time + stated + kLate) {
+    const auto has_stood_long = [&] {
+      return stood && now.time > stood->time + kWatched && now.time > struck.time + kWatchedAtLeast;
+    };
+    while (now.time < struck.time + stated + kLate && !has_stood_long()) {
       std::this_thread::sleep_for(20ms);
       now = vehicle.peer->now();
       if (now.stands && !stood) stood = now;
@@ -152,7 +168,7 @@ class VehicleKills : public Fleets {
   }
 
   void try_out(const Blow& strike) {
-    start_robots();
+    start_robots(strike.by_nav2);
     if (HasFatalFailure()) return;
     Process far = run(base::source_folder() + "/tests/fleets/vehicles/away.mdl", kMovingVehicles);
     for (Vehicle& one : vehicles_)
@@ -172,6 +188,7 @@ class VehicleKills : public Fleets {
 
  private:
   std::array<Vehicle, 2> vehicles_ = {Vehicle{"veh-1", "north"}, Vehicle{"veh-2", "south"}};
+  bool by_nav2_ = false;
 };
 
 int number_of(const char* variable, int otherwise) {
@@ -187,9 +204,10 @@ TEST_F(VehicleKills, AtAnyMomentHaveVehiclesStandWithinTheirStatedTime) {
   begin(seed);
   for (int i = 0; i < count && !HasFailure(); ++i) {
     const Blow strike = any_blow(i, random);
-    const std::string words =
-        fmt::format("{}: {}, {} ms after {}, vehicle {}", i, kWhat.at(static_cast<std::size_t>(strike.what)),
-                    strike.at.count(), strike.waits ? "all move" : "it is driven", strike.whom);
+    const std::string words = fmt::format("{}: {}, {} ms after {}, vehicle {}{}", i,
+                                          kWhat.at(static_cast<std::size_t>(strike.what)), strike.at.count(),
+                                          strike.waits ? "all move" : "it is driven", strike.whom,
+                                          strike.by_nav2 ? ", by Nav2" : "");
     fmt::print("{}\n", words);
     std::fflush(stdout);
     SCOPED_TRACE(words);

@@ -44,23 +44,32 @@ class Ros2Robot final : public VehiclePeer {
     return out;
   }
   std::vector<std::string> options() const override {
-    return {"--binding",   "ros2", "--namespace",     "/veh", "--domain", kDomain,
-            "--max-speed", "1",    "--max-turn-rate", "45"};
+    std::vector<std::string> out = {"--binding",   "ros2", "--namespace",     "/veh", "--domain", kDomain,
+                                    "--max-speed", "1",    "--max-turn-rate", "45"};
+    if (by_nav2_) out.insert(out.end(), {"--drives", "nav2"});
+    return out;
   }
+  void drive_by_nav2(bool is_so) override { by_nav2_ = is_so; }
   bool is_known_to(const network::Process& robot) const override {
     return robot.prints("the vehicle is ready", kFleetPatience);
   }
-  double standstill() const override { return ros2::robot_limits().standstill; }
+  double standstill() const override {
+    return by_nav2_ ? ros2::standstill_with_goals(ros2::look_ahead_for(kFullSpeed), kFullSpeed)
+                    : standstill_when_told();
+  }
+  double standstill_when_told() const override { return ros2::robot_limits().standstill; }
   std::string said() const override { return process_.output(); }
 
  private:
   static std::vector<std::string> words(const std::string& world, const std::string& at) {
-    std::vector<std::string> out = {MLAB_ROS2_ROBOT, "--namespace", "/veh", "--domain",
-                                    kDomain,         "--log",       "--at", at};
+    std::vector<std::string> out = {MLAB_ROS2_ROBOT, "--namespace", "/veh", "--domain", kDomain,
+                                    "--log",         "--nav2",      "--at", at};
     if (!world.empty()) out.insert(out.end(), {"--world", world});
     return out;
   }
+  static constexpr double kFullSpeed = 1.0;  // as the options say [m/s]
   network::Process process_;
+  bool by_nav2_ = false;
 };
 
 class MavlinkRover final : public VehiclePeer {

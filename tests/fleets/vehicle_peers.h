@@ -29,10 +29,15 @@ class VehiclePeer {
   virtual Moment now() = 0;
   /// How `mlab robot` reaches it from the same host.
   virtual std::vector<std::string> options() const = 0;
+  /// From the next `mlab robot` on it is driven by its navigator, or not any more. Has no effect where it has
+  /// none.
+  virtual void drive_by_nav2(bool /*is_so*/) {}
   /// Waits until that says where it is, and would drive it.
   virtual bool is_known_to(const network::Process& robot) const = 0;
   /// So long after its last command it stands, as its binding states [s].
   virtual double standstill() const = 0;
+  /// The same where it can be told to stop [s].
+  virtual double standstill_when_told() const { return standstill(); }
   /// All that it said.
   virtual std::string said() const = 0;
 };

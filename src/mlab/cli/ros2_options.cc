@@ -74,9 +74,9 @@ ros2::RobotSettings settings_of(const RobotOptions& options) {
   out.places.map_frame = options.ros2.map_frame;
   if (options.origin) out.places.origin = geom::Point{(*options.origin)[0], (*options.origin)[1]};
   if (options.ros2.drives == kDrivesNav2) out.drives = ros2::Drives::kGoals;
-  out.look_ahead = options.ros2.look_ahead.value_or(out.look_ahead);
+  out.look_ahead = options.ros2.look_ahead.value_or(ros2::look_ahead_for(kinematics.max_speed));
   if (out.drives == ros2::Drives::kGoals)
-    out.limits.standstill = ros2::standstill_with_goals(out.look_ahead, kinematics.max_speed);
+    out.limits.standstill = ros2::standstill_with_goals(*out.look_ahead, kinematics.max_speed);
   out.limits.standstill = options.ros2.standstill.value_or(out.limits.standstill);
   const auto now = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
   out.session = base::combine_bits(now, static_cast<std::uint64_t>(::getpid()));
@@ -111,7 +111,8 @@ void add_ros2(CLI::App* c, Ros2Options& o) {
       ->check(CLI::IsMember({kDrivesVelocities, kDrivesNav2}))
       ->default_str(kDrivesVelocities)
       ->type_name("WORD");
-  c->add_option("--look-ahead", o.look_ahead, "with nav2, how far ahead goals are at full speed [m]")
+  c->add_option("--look-ahead", o.look_ahead,
+                "with nav2, how far ahead goals are at full speed [m] (default: 2 s of it, 0.8 m at least)")
       ->check(CLI::Range(0.2, 100.0))
       ->type_name("METRES");
   c->add_option("--map-frame", o.map_frame,

@@ -22,7 +22,13 @@ class Ros2Rig final : public Rig {
               .has_ranges = true,
               .has_battery = true,
               .refuses_late_commands = spec.is_stamped};
-    device_ = std::make_unique<ros2::Ros2Device>(robot_.link(), ros2::RobotSettings{});
+    ros2::RobotSettings settings;
+    if (spec.navigator != ros2::Services::kNone) {
+      settings.drives = ros2::Drives::kGoals;
+      settings.limits.standstill = ros2::standstill_with_goals(1.0, 0.5);
+      facts_.holds_turn_rates = false;
+    }
+    device_ = std::make_unique<ros2::Ros2Device>(robot_.link(), settings);
   }
   const Facts& facts() const override { return facts_; }
   Device& device() override { return *device_; }
@@ -51,6 +57,13 @@ class Ros2Rig final : public Rig {
     robot_.is_on = robot_.listens = true;
     robot_.network.is_cut = false;
   }
+  bool take() override {
+    if (robot_.spec().navigator == ros2::Services::kNone) return false;
+    ros2::Goal far;
+    far.x = 1e6;
+    robot_.give(far);
+    return true;
+  }
   void hold_back() override { robot_.network.is_held_back = true; }
   void release() override { robot_.network.is_held_back = false; }
 
@@ -67,7 +80,8 @@ RigKind kind(const char* name, const ToySpec& spec) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ros2, Conformance,
-                         testing::Values(kind("Twist", {}), kind("TwistStamped", {.is_stamped = true})),
+                         testing::Values(kind("Twist", {}), kind("TwistStamped", {.is_stamped = true}),
+                                         kind("Goals", {.navigator = ros2::Services::kPlain})),
                          kind_name);
 
 }  // namespace

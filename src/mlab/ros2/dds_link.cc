@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "mlab/ros2/action_client.h"
 #include "mlab/ros2/discovery.h"
 #include "mlab/ros2/take_all.h"
 #include "mlab/ros2/type_hash.h"
@@ -24,12 +25,9 @@ constexpr TopicQos kStaticTransforms{.is_reliable = true, .is_for_latecomers = t
 constexpr TopicQos kCommand{.is_reliable = true, .is_for_latecomers = false, .depth = 1};
 constexpr TopicQos kService{.is_reliable = true, .is_for_latecomers = false, .depth = 10};
 constexpr TopicQos kKept{.is_reliable = true, .is_for_latecomers = true, .depth = 1};
-constexpr TopicQos kKeptMany{.is_reliable = true, .is_for_latecomers = true, .depth = 10};
 
 constexpr std::string_view kTwist = "geometry_msgs/msg/Twist";
 constexpr std::string_view kTwistStamped = "geometry_msgs/msg/TwistStamped";
-/// By this, and only by this, rmw_cyclonedds tells its servers' names.
-constexpr std::string_view kServer = "serviceid=";
 constexpr std::string_view kNode = "missionlab";
 /// What is said last is to get out before its writer goes.
 constexpr dds_duration_t kParting = DDS_MSECS(100);
@@ -64,14 +62,14 @@ class DdsLink final : public Link {
   Listeners listeners() const override;
   void say(const Velocity& velocity) override;
   void say(const State& state) override;
-  std::int64_t send(const Goal& goal) override;
+  void send(const Goal& goal) override;
+  void cancel(const GoalId& id) override;
   void cancel_all_goals() override;
   std::vector<std::string> take_news() override;
 
  private:
   using Made = std::expected<Endpoint, std::string>;
   std::expected<void, std::string> begin_readers();
-  std::expected<void, std::string> begin_navigator();
   bool keep(Made made, Endpoint& to);
   std::string own_topic(std::string_view name) const {
     return fmt::format("rt{}/{}", settings_.robot_namespace, name);
@@ -81,8 +79,6 @@ class DdsLink final : public Link {
   void meet_listeners();
   Made velocity_writer(const dds_topic_descriptor_t& descriptor, std::string_view type);
   void announce();
-  /// Whether who serves goals speaks services as we do.
-  void look_at_navigator();
 
   LinkSettings settings_;
   std::string name_;
@@ -93,19 +89,16 @@ class DdsLink final : public Link {
   Endpoint odometry_, battery_, tf_, tf_static_, own_tf_, own_tf_static_;
   std::vector<Endpoint> scans_;
   Endpoint twist_, stamped_twist_, diagnostics_, nodes_;
-  Endpoint goal_, goal_reply_, cancel_, cancel_reply_, goal_states_;
-  std::uint64_t client_ = 0;
-  std::int64_t requests_ = 0;
-  std::array<int, 4> servers_{};  // of goals and of taking them back, now and ever, when they were looked at
-  bool has_navigator_ = false;
+  std::optional<ActionClient> navigator_;
   bool is_announced_ = false;
   std::vector<std::string> news_;
 };
 
 DdsLink::~DdsLink() {
-  for (const Endpoint* const one : {&twist_, &stamped_twist_, &cancel_}) {
+  for (const Endpoint* const one : {&twist_, &stamped_twist_}) {
     if (*one && one->readers() > 0) dds_wait_for_acks(one->handle(), kParting);
   }
+  if (navigator_) navigator_->wait_for_acks(kParting);
 }
 
 bool DdsLink::keep(Made made, Endpoint& to) {
@@ -125,7 +118,9 @@ std::expected<void, std::string> DdsLink::begin() {
   discovery_.emplace(std::move(*discovery));
   if (const auto begun = begin_readers(); !begun) return begun;
   if (settings_.has_goals) {
-    if (const auto begun = begin_navigator(); !begun) return begun;
+    auto navigator = ActionClient::begin(*participant_, settings_.robot_namespace);
+    if (!navigator) return std::unexpected(navigator.error());
+    navigator_.emplace(std::move(*navigator));
   }
   keep(participant_->writer("rt/diagnostics", diagnostic_msgs_msg_dds__DiagnosticArray__desc,
                             "diagnostic_msgs/msg/DiagnosticArray", kService),
@@ -157,29 +152,6 @@ std::expected<void, std::string> DdsLink::begin_readers() {
   return problem_.empty() ? std::expected<void, std::string>{} : std::unexpected(problem_);
 }
 
-std::expected<void, std::string> DdsLink::begin_navigator() {
-  const std::string action = fmt::format("{}/navigate_to_pose/_action/", settings_.robot_namespace);
-  keep(participant_->writer("rq" + action + "send_goalRequest",
-                            nav2_msgs_action_dds__NavigateToPose_SendGoal_Request__desc, "", kService),
-       goal_);
-  keep(participant_->reader("rr" + action + "send_goalReply",
-                            nav2_msgs_action_dds__NavigateToPose_SendGoal_Response__desc, "", kService),
-       goal_reply_);
-  keep(participant_->writer("rq" + action + "cancel_goalRequest",
-                            action_msgs_srv_dds__CancelGoal_Request__desc, "", kService),
-       cancel_);
-  keep(participant_->reader("rr" + action + "cancel_goalReply",
-                            action_msgs_srv_dds__CancelGoal_Response__desc, "", kService),
-       cancel_reply_);
-  keep(participant_->reader("rt" + action + "status", action_msgs_msg_dds__GoalStatusArray__desc,
-                            "action_msgs/msg/GoalStatusArray", kKeptMany),
-       goal_states_);
-  if (!problem_.empty()) return std::unexpected(problem_);
-  dds_instance_handle_t handle = 0;
-  if (dds_get_instance_handle(goal_.handle(), &handle) == 0) client_ = handle;
-  return {};
-}
-
 void DdsLink::add_transforms(const Endpoint& reader, bool is_static, bool is_own, Heard& heard) {
   take_all<tf2_msgs_msg_dds__TFMessage_>(reader.handle(), [&](const auto& message, const auto&) {
     for (std::uint32_t i = 0; i < message.transforms._length; ++i) {
@@ -190,29 +162,10 @@ void DdsLink::add_transforms(const Endpoint& reader, bool is_static, bool is_own
   });
 }
 
-// A request of another form would be taken for another one: to go somewhere else, say.
-void DdsLink::look_at_navigator() {
-  if (!goal_) return;
-  const std::array servers = {goal_.readers(), cancel_.readers(), goal_.readers_so_far(),
-                              cancel_.readers_so_far()};
-  if (servers == servers_) return;
-  servers_ = servers;
-  const auto speaks_as_we = [](const Endpoint& writer) {
-    const auto words = writer.words_of_readers();
-    return std::ranges::all_of(words, [](const std::string& one) { return one.contains(kServer); });
-  };
-  const bool is_there = servers[0] > 0 && servers[1] > 0;
-  has_navigator_ = is_there && speaks_as_we(goal_) && speaks_as_we(cancel_);
-  if (is_there && !has_navigator_)
-    news_.emplace_back(
-        "has a navigator that speaks services otherwise: RMW_IMPLEMENTATION=rmw_cyclonedds_cpp there mends "
-        "that");
-}
-
 void DdsLink::hear(Heard& heard) {
   discovery_->look();
   meet_listeners();
-  look_at_navigator();
+  if (navigator_) navigator_->hear(heard);
   announce();
   add_transforms(tf_, false, false, heard);
   add_transforms(tf_static_, true, false, heard);
@@ -231,18 +184,6 @@ void DdsLink::hear(Heard& heard) {
   take_all<sensor_msgs_msg_dds__BatteryState_>(battery_.handle(), [&](const auto& message, const auto&) {
     heard.batteries.push_back(message_of(message));
   });
-  take_all<action_msgs_msg_dds__GoalStatusArray_>(
-      goal_states_.handle(), [&](const auto& message, const auto&) {
-        for (std::uint32_t i = 0; i < message.status_list._length; ++i)
-          heard.goals.push_back(message_of(message.status_list._buffer[i]));
-      });
-  using Answer = nav2_msgs_action_dds__NavigateToPose_SendGoal_Response_;
-  take_all<Answer>(goal_reply_.handle(), [&](const Answer& message, const auto&) {
-    if (message.guid == client_) heard.answers.push_back({message.seq, message.accepted});
-  });
-  // Whether goals were taken back is seen by the robot's standing.
-  take_all<action_msgs_srv_dds__CancelGoal_Response_>(cancel_reply_.handle(),
-                                                      [](const auto&, const auto&) {});
 }
 
 DdsLink::Made DdsLink::velocity_writer(const dds_topic_descriptor_t& descriptor, std::string_view type) {
@@ -283,17 +224,20 @@ void DdsLink::announce() {
     if (!made) return;
     nodes_ = std::move(*made);
   }
-  const auto gids = [](std::initializer_list<const Endpoint*> endpoints) {
+  const auto gids = [](std::vector<const Endpoint*> endpoints, const std::vector<const Endpoint*>& more) {
+    endpoints.insert(endpoints.end(), more.begin(), more.end());
     std::vector<rmw_dds_common_msg_dds__Gid_> out;
     for (const Endpoint* const one : endpoints) {
       if (*one) out.push_back(wire_of(one->gid));
     }
     return out;
   };
-  auto readers = gids({&odometry_, &battery_, &tf_, &tf_static_, &own_tf_, &own_tf_static_, &goal_reply_,
-                       &cancel_reply_, &goal_states_});
+  using Endpoints = std::vector<const Endpoint*>;
+  auto readers = gids({&odometry_, &battery_, &tf_, &tf_static_, &own_tf_, &own_tf_static_},
+                      navigator_ ? navigator_->readers() : Endpoints{});
   for (const Endpoint& one : scans_) readers.push_back(wire_of(one.gid));
-  auto writers = gids({&twist_, &stamped_twist_, &diagnostics_, &goal_, &cancel_});
+  auto writers =
+      gids({&twist_, &stamped_twist_, &diagnostics_}, navigator_ ? navigator_->writers() : Endpoints{});
   const std::string in = settings_.robot_namespace.empty() ? "/" : settings_.robot_namespace;
   std::vector<rmw_dds_common_msg_dds__NodeEntitiesInfo_> nodes(1);
   nodes[0].node_namespace = chars_of(in);
@@ -309,7 +253,8 @@ void DdsLink::announce() {
 Listeners DdsLink::listeners() const {
   return {.twist = twist_ && twist_.readers() > 0,
           .twist_stamped = stamped_twist_ && stamped_twist_.readers() > 0,
-          .navigator = has_navigator_};
+          .navigator = navigator_ ? navigator_->services() : Services::kNone,
+          .navigators_so_far = navigator_ ? navigator_->servers_so_far() : 0};
 }
 
 void DdsLink::say(const Velocity& velocity) {
@@ -340,25 +285,23 @@ void DdsLink::say(const State& state) {
   static_cast<void>(dds_write(diagnostics_.handle(), &message));
 }
 
-std::int64_t DdsLink::send(const Goal& goal) {
-  if (!has_navigator_) return 0;
-  auto message = request_of(goal);
-  message.guid = client_;
-  message.seq = ++requests_;
-  static_cast<void>(dds_write(goal_.handle(), &message));
-  return requests_;
+void DdsLink::send(const Goal& goal) {
+  if (navigator_) navigator_->send(goal);
+}
+
+void DdsLink::cancel(const GoalId& id) {
+  if (navigator_) navigator_->cancel(id);
 }
 
 void DdsLink::cancel_all_goals() {
-  if (!has_navigator_) return;
-  action_msgs_srv_dds__CancelGoal_Request_ message{};  // no goal and no time: all of them
-  message.guid = client_;
-  message.seq = ++requests_;
-  static_cast<void>(dds_write(cancel_.handle(), &message));
+  if (navigator_) navigator_->cancel({});
 }
 
 std::vector<std::string> DdsLink::take_news() {
   std::vector<std::string> out = std::exchange(news_, {});
+  if (navigator_) {
+    for (std::string& one : navigator_->take_news()) out.push_back(std::move(one));
+  }
   for (std::string& one : participant_->complaints()) out.push_back("ROS's network: " + one);
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -138,52 +139,85 @@ TEST_F(DdsLinkTest, IsListedAsANodeAndLeavesWithItsLastWord) {
 
 TEST_F(DdsLinkTest, AsksANavigatorForGoalsAndTakesThemBack) {
   open(true);
-  DdsRobot robot(DdsRobot::Listens::kNot, DdsRobot::Navigator::kOurs);
+  DdsRobot robot(DdsRobot::Listens::kNot, Services::kHeaded);
   ASSERT_TRUE(comes_true([&] {
     link->hear(heard);
-    return link->listeners().navigator;
+    return link->listeners().can_be_given_goals();
   }));
+  EXPECT_EQ(link->listeners().navigator, Services::kHeaded);
+  EXPECT_EQ(link->take_news(),
+            std::vector<std::string>{"has a navigator, which is asked as rmw_cyclonedds asks"});
   Goal goal;
   goal.id.bytes[3] = 4;
   goal.frame = "odom";
   goal.x = 2.0;
   goal.heading = 1.0;
-  const std::int64_t request = link->send(goal);
+  link->send(goal);
   std::vector<Goal> goals;
   ASSERT_TRUE(comes_true([&] { return !(goals = robot.take_goals()).empty(); }));
   EXPECT_EQ(goals[0].id, goal.id);
   EXPECT_EQ(goals[0].x, 2.0);
   EXPECT_NEAR(goals[0].heading, 1.0, 1e-9);
   robot.say_goal_state(goal.id, GoalState::kExecuting);
+  robot.say_feedback(goal.id, 3);
   ASSERT_TRUE(comes_true([&] {
     link->hear(heard);
-    return !heard.answers.empty() && !heard.goals.empty();
+    return heard.goals && !heard.feedback.empty();
   }));
-  EXPECT_EQ(heard.answers[0].request, request);
-  EXPECT_TRUE(heard.answers[0].is_accepted);
-  EXPECT_EQ(heard.goals[0].id, goal.id);
-  EXPECT_EQ(heard.goals[0].state, GoalState::kExecuting);
+  ASSERT_EQ(heard.goals->size(), 1U);
+  EXPECT_EQ(heard.goals->at(0).id, goal.id);
+  EXPECT_EQ(heard.goals->at(0).state, GoalState::kExecuting);
+  EXPECT_EQ(heard.feedback[0].id, goal.id);
+  EXPECT_EQ(heard.feedback[0].recoveries, 3);
+  link->cancel(goal.id);
   link->cancel_all_goals();
-  EXPECT_TRUE(comes_true([&] { return robot.take_cancels() == 1; }));
+  std::vector<GoalId> cancels;
+  ASSERT_TRUE(comes_true([&] {
+    for (const GoalId& id : robot.take_cancels()) cancels.push_back(id);
+    return cancels.size() >= 2;
+  }));
+  EXPECT_EQ(cancels, (std::vector{goal.id, GoalId{}}));
+}
+
+TEST_F(DdsLinkTest, HearsGoalsOfTwoNavigatorsAndForgetsThoseOfTheOneThatGoes) {
+  open(true);
+  std::optional<DdsRobot> first(std::in_place, DdsRobot::Listens::kNot, Services::kHeaded);
+  DdsRobot second(DdsRobot::Listens::kNot, Services::kHeaded);
+  GoalId one, other;
+  one.bytes[0] = 1;
+  other.bytes[0] = 2;
+  first->say_goal_state(one, GoalState::kExecuting);
+  second.say_goal_state(other, GoalState::kExecuting);
+  ASSERT_TRUE(comes_true([&] {
+    link->hear(heard);
+    return heard.goals && heard.goals->size() == 2 && link->listeners().navigators_so_far == 2;
+  }));
+  first.reset();
+  ASSERT_TRUE(comes_true([&] {
+    link->hear(heard);
+    return heard.goals && heard.goals->size() == 1;
+  }));
+  EXPECT_EQ(heard.goals->at(0).id, other);
 }
 
 TEST_F(DdsLinkTest, AsksNothingOfANavigatorThatWouldTakeItForSomethingElse) {
   open(true);
-  DdsRobot robot(DdsRobot::Listens::kNot, DdsRobot::Navigator::kOther);
+  DdsRobot robot(DdsRobot::Listens::kNot, Services::kUnknown);
   std::vector<std::string> news;
   ASSERT_TRUE(comes_true([&] {
     link->hear(heard);
     return !(news = link->take_news()).empty();
   }));
   EXPECT_EQ(news[0],
-            "has a navigator that speaks services otherwise: RMW_IMPLEMENTATION=rmw_cyclonedds_cpp there "
-            "mends that");
-  EXPECT_FALSE(link->listeners().navigator);
-  EXPECT_EQ(link->send(Goal{}), 0);
+            "has a navigator that is asked nothing: it speaks services neither as rmw_fastrtps nor as "
+            "rmw_cyclonedds, or there are two that don't agree");
+  EXPECT_EQ(link->listeners().navigator, Services::kUnknown);
+  link->send(Goal{});
+  link->cancel(GoalId{});
   link->cancel_all_goals();
   std::this_thread::sleep_for(milliseconds(50));
   EXPECT_TRUE(robot.take_goals().empty());
-  EXPECT_EQ(robot.take_cancels(), 0);
+  EXPECT_TRUE(robot.take_cancels().empty());
 }
 
 TEST_F(DdsLinkTest, SharesAProcessWithAFleetOfTheSameNumber) {

@@ -8,12 +8,24 @@
 
 namespace mlab::ros2 {
 
+/// How the services of a navigator are spoken.
+enum class Services : std::uint8_t {
+  kNone,     ///< nobody serves goals
+  kPlain,    ///< as rmw_fastrtps does: a request alone
+  kHeaded,   ///< as rmw_cyclonedds does: who asks, and the number of the request, stand before it
+  kUnknown,  ///< neither, or there are several who don't agree: asked in the wrong way one would take a
+             ///< request for another one
+};
+
 /// Who listens to what we may say. One kind of velocity may have listeners while the other has none.
 struct Listeners {
   bool twist = false;
   bool twist_stamped = false;
-  bool navigator = false;  ///< takes goals, and takes them back
+  Services navigator = Services::kNone;
+  /// Grows when another one begins to serve goals: it knows none that were given before.
+  std::uint32_t navigators_so_far = 0;
   bool any_velocity() const { return twist || twist_stamped; }
+  bool can_be_given_goals() const { return navigator == Services::kPlain || navigator == Services::kHeaded; }
 };
 
 /// What the robot is told, until it is told otherwise.
@@ -66,10 +78,11 @@ class Link {
   /// Says it to all who listen to velocities.
   virtual void say(const Velocity& velocity) = 0;
   virtual void say(const State& state) = 0;
-  /// Nothing is sent where there is no navigator.
-  /// @return  the number of the request; 0: it was not sent
-  virtual std::int64_t send(const Goal& goal) = 0;
-  /// All goals of that navigator, whoever sent them.
+  /// Nothing is sent where there is no navigator, or none that would understand it. What becomes of a goal
+  /// is heard by its id.
+  virtual void send(const Goal& goal) = 0;
+  virtual void cancel(const GoalId& id) = 0;
+  /// All goals of that navigator, whoever gave them.
   virtual void cancel_all_goals() = 0;
   /// What was noticed since this was called last, a line each.
   virtual std::vector<std::string> take_news() = 0;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,10 +83,14 @@ struct GoalStatus {
   GoalState state = GoalState::kUnknown;
 };
 
-/// Whether a goal was taken.
-struct GoalAnswer {
-  std::int64_t request = 0;
-  bool is_accepted = false;
+constexpr bool is_over(GoalState state) {
+  return state >= GoalState::kSucceeded;
+}
+
+/// What a navigator says on its way to a goal, of nav2_msgs/NavigateToPose.
+struct GoalFeedback {
+  GoalId id;
+  int recoveries = 0;  ///< how often it has tried to get free
 };
 
 /// All that came since it was asked last, in the order in which it came on each topic.
@@ -94,8 +99,9 @@ struct Heard {
   std::vector<LaserScan> scans;
   std::vector<BatteryState> batteries;
   std::vector<Transform> transforms;
-  std::vector<GoalStatus> goals;
-  std::vector<GoalAnswer> answers;
+  /// All goals that navigators know of, whoever gave them; nothing: nothing of that is new.
+  std::optional<std::vector<GoalStatus>> goals;
+  std::vector<GoalFeedback> feedback;
 };
 
 }  // namespace mlab::ros2

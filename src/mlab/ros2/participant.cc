@@ -17,6 +17,7 @@ namespace {
 /// As many as have ports; a robot easily has thirty programs.
 constexpr int kMostOnOneMachine = 119;
 constexpr std::size_t kMostPeers = 100;
+constexpr std::size_t kMostMatched = 64;  // others at the end of a topic that are looked at
 /// What is larger than this is no message of a robot that we read.
 constexpr int kLongestMessage = 4'000'000;
 constexpr std::string_view kLoopback = "127.0.0.1";
@@ -145,16 +146,24 @@ std::string user_data_of(const dds_qos_t* qos) {
   return out;
 }
 
-std::vector<std::string> Endpoint::words_of_readers() const {
-  std::array<dds_instance_handle_t, 64> handles{};
+std::vector<Reader> Endpoint::matched_readers() const {
+  std::array<dds_instance_handle_t, kMostMatched> handles{};
   const dds_return_t count = dds_get_matched_subscriptions(handle(), handles.data(), handles.size());
-  std::vector<std::string> out;
+  std::vector<Reader> out;
   for (std::size_t i = 0; i < std::min(handles.size(), static_cast<std::size_t>(std::max(count, 0))); ++i) {
     dds_builtintopic_endpoint_t* const one = dds_get_matched_subscription_data(handle(), handles[i]);
     if (one == nullptr) continue;  // it has gone again
-    out.push_back(user_data_of(one->qos));
+    Reader& reader = out.emplace_back(user_data_of(one->qos));
+    std::memcpy(reader.participant.data(), one->participant_key.v, reader.participant.size());
     dds_builtintopic_free_endpoint(one);
   }
+  return out;
+}
+
+std::vector<dds_instance_handle_t> Endpoint::matched_writers() const {
+  std::vector<dds_instance_handle_t> out(kMostMatched);
+  const dds_return_t count = dds_get_matched_publications(handle(), out.data(), out.size());
+  out.resize(std::min(out.size(), static_cast<std::size_t>(std::max(count, 0))));
   return out;
 }
 

@@ -40,6 +40,12 @@ struct TopicQos {
 
 using Gid = std::array<std::uint8_t, 16>;
 
+/// A reader of somebody else.
+struct Reader {
+  std::string words;  ///< what it says of itself (USER_DATA)
+  Gid participant{};  ///< whose it is: the first two bytes tell who made that DDS
+};
+
 /// A reader or writer with its topic.
 struct Endpoint {
   dds::Entity topic;
@@ -52,8 +58,10 @@ struct Endpoint {
   int readers() const;
   /// How many readers have ever been there; it tells that others are there though they are as many.
   int readers_so_far() const;
-  /// What each of the readers says of itself (USER_DATA).
-  std::vector<std::string> words_of_readers() const;
+  /// The readers that are at its other end, some dozen at most.
+  std::vector<Reader> matched_readers() const;
+  /// Handles of the writers that are, likewise: those that samples come from.
+  std::vector<dds_instance_handle_t> matched_writers() const;
 };
 
 /// Takes part in a domain of ROS, as a participant that Cyclone takes for one of a domain of its own: nothing

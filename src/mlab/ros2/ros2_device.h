@@ -16,8 +16,8 @@ namespace mlab::ros2 {
 vehicle::Limits robot_limits();
 
 /// What can be promised of a robot that goes to its last goal by itself: twice as long as full speed takes
-/// for the look-ahead, and five seconds for the navigator to end. One that is held up on the way takes
-/// longer.
+/// for the look-ahead, and three seconds for its navigator to turn there and to end. One that is slower than
+/// half of that, or is held up on the way, takes longer.
 double standstill_with_goals(double look_ahead, double max_speed);
 
 /// How a robot is told where to go.
@@ -34,8 +34,8 @@ struct RobotSettings {
   std::vector<std::string> scanners = {"scan"};  ///< what they are called, at most kMostScanners
   Places places;
   Drives drives = Drives::kVelocities;
-  double look_ahead = 2.0;    ///< of goals, at full speed [m], > 0
-  std::uint64_t session = 1;  ///< of this process: goals of others have other ids
+  std::optional<double> look_ahead = {};  ///< of goals, at full speed [m], > 0; nothing: look_ahead_for
+  std::uint64_t session = 1;              ///< of this process: goals of others have other ids
 };
 
 /// A robot under ROS 2. It is ready once it says where it is and somebody listens to what it is to be told;
@@ -53,6 +53,9 @@ class Ros2Device final : public vehicle::Device {
   const vehicle::Report& report(Time now) override;
   void drive(const vehicle::Command& command, Time now) override;
   void stop(Time now) override;
+  /// With goals, those of others are taken back, too.
+  void stop_in_emergency(Time now) override;
+  void engage(Time now) override;
   std::vector<std::string> take_news() override;
   std::vector<vehicle::Check> checks(Time now) override;
 
@@ -66,6 +69,15 @@ class Ros2Device final : public vehicle::Device {
   bool is_ready(Time now) const { return why_not(now).empty(); }
   std::string why_not(Time now) const;
   vehicle::Check listener_check() const;
+  vehicle::Check navigator_check() const;
+  vehicle::Check watchdog_check() const;
+  bool has_goals() const { return settings_.drives == Drives::kGoals; }
+  std::string why_no_navigator() const;
+  /// Of others who drive it by its navigator.
+  bool is_taken() const { return has_goals() && goals_.is_taken(); }
+  void hear(Time now);
+  void take_goals_back(Time now);
+  bool has_halted() const;
   void halt(Time now);
   void say_halt(Time now);
   void tell(const vehicle::Command& command, Time now);
@@ -83,6 +95,9 @@ class Ros2Device final : public vehicle::Device {
   Time driven_at_;
   Time halted_at_;
   std::optional<Time> told_at_;
+  std::optional<Time> taken_back_at_;
+  bool is_emergency_ = false;
+  std::uint32_t navigators_ = 0;  // that there were so far
   vehicle::Command told_;
   std::optional<Time> state_at_;
   std::string told_state_;

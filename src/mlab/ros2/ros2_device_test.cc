@@ -78,6 +78,14 @@ TEST_F(Ros2DeviceTest, SaysBeforeAMissionWhatIsMissing) {
   begin({}, with_goals());
   pass(1000);
   EXPECT_EQ(result("navigator"), vehicle::CheckResult::kFail);
+  begin({.navigator = Services::kUnknown}, with_goals());
+  pass(1000);
+  EXPECT_EQ(result("navigator"), vehicle::CheckResult::kFail);
+  EXPECT_EQ(why(), "can't be given goals: its navigator speaks services in no way that is known");
+  begin({.navigator = Services::kHeaded}, with_goals());
+  pass(1000);
+  EXPECT_EQ(result("navigator"), vehicle::CheckResult::kPass);
+  EXPECT_EQ(device->checks(now)[1].is, "/navigate_to_pose is served by a navigator on rmw_cyclonedds");
 }
 
 TEST_F(Ros2DeviceTest, SaysNothingToCmdVelBeforeItIsDrivenOrStopped) {
@@ -175,7 +183,7 @@ TEST(Goals, LieWhereACommandLeads) {
 }
 
 TEST_F(Ros2DeviceTest, IsDrivenByGoalsThatRollAhead) {
-  begin({.has_navigator = true}, with_goals());
+  begin({.navigator = Services::kPlain}, with_goals());
   pass(500);
   EXPECT_EQ(why(), "");
   pass(5000, vehicle::Command{0.5, 0.0});
@@ -184,12 +192,12 @@ TEST_F(Ros2DeviceTest, IsDrivenByGoalsThatRollAhead) {
   EXPECT_LE(robot->goals, 10) << "twice a second at most";
   ASSERT_TRUE(robot->goal);
   EXPECT_EQ(robot->goal->frame, "odom");
-  EXPECT_NEAR(robot->goal->x - robot->pose.position.x, 2.0, 0.5);
+  EXPECT_NEAR(robot->goal->x - robot->pose.position.x, 1.0, 0.25);
   EXPECT_EQ(robot->velocities, 0);
 }
 
 TEST_F(Ros2DeviceTest, TakesGoalsBackWhereItIsStoppedLeftOrToldToStand) {
-  begin({.has_navigator = true}, with_goals());
+  begin({.navigator = Services::kPlain}, with_goals());
   pass(500);
   for (const int how : {0, 1, 2}) {
     pass(2000, vehicle::Command{0.5, 0.0});
@@ -205,7 +213,7 @@ TEST_F(Ros2DeviceTest, TakesGoalsBackWhereItIsStoppedLeftOrToldToStand) {
 }
 
 TEST_F(Ros2DeviceTest, TakesGoalsBackWhenTheWayToItIsMended) {
-  begin({.has_navigator = true}, with_goals());
+  begin({.navigator = Services::kPlain}, with_goals());
   pass(500);
   pass(2000, vehicle::Command{0.5, 0.0});
   robot->network.is_cut = true;
@@ -225,7 +233,7 @@ TEST_F(Ros2DeviceTest, LeavesWithAWordThatStopsIt) {
   robot->step(now + milliseconds(20), 0.02);
   EXPECT_EQ(robot->told->speed, 0.0);
 
-  begin({.has_navigator = true}, with_goals());
+  begin({.navigator = Services::kPlain}, with_goals());
   pass(500);
   pass(1000, vehicle::Command{0.5, 0.0});
   ASSERT_TRUE(robot->goal);
@@ -242,30 +250,124 @@ TEST_F(Ros2DeviceTest, IsNotReadyWithoutANavigatorThatIsNeeded) {
   EXPECT_EQ(robot->velocities, 0);
 }
 
-TEST(Goals, AreSentAnewOnceTheyHaveEnded) {
-  Goals goals(2.0, 0.5, 1);
-  vehicle::Clock::time_point now{std::chrono::hours(1)};
-  const auto first = goals.next({0.5, 0.0}, {}, "odom", {}, now);
-  ASSERT_TRUE(first);
-  goals.sent(1);
-  now += milliseconds(600);
-  EXPECT_FALSE(goals.next({0.5, 0.0}, {}, "odom", {}, now)) << "it has not moved";
-  Heard heard;
-  heard.goals = {{GoalId{}, GoalState::kAborted}};
-  goals.take(heard);
-  EXPECT_FALSE(goals.next({0.5, 0.0}, {}, "odom", {}, now)) << "that was somebody else's";
-  heard.goals = {{first->id, GoalState::kAborted}};
-  goals.take(heard);
-  EXPECT_EQ(goals.problem(), "finds no way to where it is to go");
-  const auto second = goals.next({0.5, 0.0}, {}, "odom", {}, now);
-  ASSERT_TRUE(second);
-  EXPECT_NE(second->id, first->id);
-  EXPECT_NE(Goals(2.0, 0.5, 2).next({0.5, 0.0}, {}, "odom", {}, now)->id, first->id);
-  goals.sent(2);
-  heard = {};
-  heard.answers = {{2, false}};
-  goals.take(heard);
-  EXPECT_EQ(goals.problem(), "does not take the goal that it is given");
+TEST_F(Ros2DeviceTest, StandsWithinItsTimeWhenItsProcessIsGone) {
+  for (const double max_speed : {0.25, 0.5, 1.0}) {
+    RobotSettings settings = with_goals();
+    settings.limits.kinematics.max_speed = max_speed;
+    const double stated = standstill_with_goals(look_ahead_for(max_speed), max_speed);
+    // As slow as the statement allows for.
+    begin({.navigator = Services::kPlain, .cruise = max_speed / 2.0}, settings);
+    pass(500);
+    double longest = 0.0;
+    for (int i = 0; i < 20; ++i) {
+      pass(500 + 100 * i, vehicle::Command{max_speed, i % 2 == 0 ? 0.0 : 0.5});
+      const auto left = now;
+      while (robot->goal || robot->speed != 0.0) {
+        now += milliseconds(20);
+        robot->step(now, 0.02);
+      }
+      longest = std::max(longest, vehicle::seconds_between(left, now));
+    }
+    EXPECT_LE(longest, stated) << max_speed;
+    EXPECT_GT(longest, 0.5 * stated) << max_speed << ": it is no more than has to be";
+  }
+}
+
+TEST_F(Ros2DeviceTest, SaysThatItsNavigatorDoesNotTakeItsGoalsOrFindsNoWay) {
+  begin({.navigator = Services::kPlain}, with_goals());
+  pass(500);
+  const auto expect = [&](const std::string& problem) {
+    EXPECT_EQ(robot->states.back().level, Level::kWarning);
+    EXPECT_EQ(robot->states.back().message, "drives it: it " + problem);
+    EXPECT_EQ(device->checks(now)[1].result, vehicle::CheckResult::kWarn);
+    EXPECT_EQ(device->take_news(), std::vector<std::string>{problem});
+  };
+  robot->takes_goals = false;
+  pass(3500, vehicle::Command{0.5, 0.0});
+  EXPECT_EQ(robot->speed, 0.0);
+  expect("does not take the goals that it is given");
+  robot->takes_goals = true;
+  robot->finds_ways = false;
+  pass(3000, vehicle::Command{0.5, 0.0});
+  expect("finds no way to where it is to go");
+  EXPECT_GT(robot->goals, 2) << "it is tried again";
+  robot->finds_ways = true;
+  pass(5000, vehicle::Command{0.5, 0.0});
+  EXPECT_EQ(robot->states.back().message, "drives it");
+  robot->recoveries = 2;
+  pass(1000, vehicle::Command{0.5, 0.0});
+  expect("is held up on its way, and tries to get free");
+}
+
+TEST_F(Ros2DeviceTest, LeavesItToWhoeverGivesItsNavigatorAnotherGoal) {
+  begin({.navigator = Services::kPlain}, with_goals());
+  pass(500);
+  pass(2000, vehicle::Command{0.5, 0.0});
+  Goal other;
+  other.id.bytes[0] = 1;
+  other.x = robot->pose.position.x - 1.0;
+  robot->give(other);
+  pass(1000, vehicle::Command{0.5, 0.0});
+  EXPECT_EQ(device->report(now).readiness, Readiness::kTaken);
+  EXPECT_EQ(why(), "goes to a goal that somebody else gave its navigator");
+  device->stop(now);
+  const int velocities = robot->velocities;
+  pass(1000);
+  ASSERT_TRUE(robot->goal);
+  EXPECT_EQ(robot->goal->id, other.id);
+  EXPECT_EQ(robot->velocities, velocities) << "nor is it told to stand";
+
+  device->engage(now);
+  pass(1000, vehicle::Command{0.5, 0.0});
+  ASSERT_TRUE(robot->goal);
+  EXPECT_NE(robot->goal->id, other.id) << "a person takes it back";
+}
+
+TEST_F(Ros2DeviceTest, TakesAllGoalsBackInAnEmergency) {
+  begin({.navigator = Services::kPlain}, with_goals());
+  pass(500);
+  Goal other;
+  other.x = 5.0;
+  robot->give(other);
+  pass(2000);
+  EXPECT_GT(robot->speed, 0.3);
+  device->stop(now);
+  pass(1000);
+  EXPECT_GT(robot->speed, 0.3);
+  for (int i = 0; i < 10; ++i) {
+    device->stop_in_emergency(now);
+    pass(100);
+  }
+  EXPECT_FALSE(robot->goal);
+  EXPECT_EQ(robot->speed, 0.0);
+  EXPECT_GE(robot->cancels_of_all, 1);
+}
+
+TEST_F(Ros2DeviceTest, TakesBackWhatAProcessBeforeItLeft) {
+  RobotSettings settings = with_goals();
+  settings.look_ahead = 5.0;
+  begin({.navigator = Services::kPlain}, settings);
+  pass(500);
+  pass(1000, vehicle::Command{0.5, 0.0});
+  ASSERT_TRUE(robot->goal);
+  const Goal left = *robot->goal;
+  device.reset();
+  robot->give(left);  // as though nothing of the parting had arrived
+  settings.session = 2;
+  device = std::make_unique<Ros2Device>(robot->link(), settings);
+  pass(1000);
+  EXPECT_FALSE(robot->goal);
+  EXPECT_EQ(robot->speed, 0.0);
+}
+
+TEST_F(Ros2DeviceTest, GivesItsGoalAnewToANavigatorThatBeginsAgain) {
+  begin({.navigator = Services::kPlain}, with_goals());
+  pass(500);
+  pass(2000, vehicle::Command{0.5, 0.0});
+  robot->restart_navigator();
+  EXPECT_FALSE(robot->goal);
+  pass(600, vehicle::Command{0.5, 0.0});
+  EXPECT_TRUE(robot->goal);
 }
 
 }  // namespace

@@ -71,6 +71,13 @@ GoalStatus message_of(const action_msgs_msg_dds__GoalStatus_& from) {
   return out;
 }
 
+GoalFeedback message_of(const nav2_msgs_action_dds__NavigateToPose_FeedbackMessage_& from) {
+  GoalFeedback out;
+  std::ranges::copy(from.goal_id.uuid, std::begin(out.id.bytes));
+  out.recoveries = from.number_of_recoveries;
+  return out;
+}
+
 builtin_interfaces_msg_dds__Time_ wire_of(const Stamp& stamp) {
   return {stamp.sec, stamp.nanosec};
 }
@@ -101,6 +108,12 @@ nav2_msgs_action_dds__NavigateToPose_SendGoal_Request_ request_of(const Goal& go
   out.goal.pose.pose.orientation.z = std::sin(goal.heading / 2.0);
   out.goal.pose.pose.orientation.w = std::cos(goal.heading / 2.0);
   out.goal.behavior_tree = text_in(kNothing);
+  return out;
+}
+
+action_msgs_srv_dds__CancelGoal_Request_ cancel_request_of(const std::optional<GoalId>& id) {
+  action_msgs_srv_dds__CancelGoal_Request_ out{};  // no goal and no time: all of them
+  if (id) std::ranges::copy(id->bytes, std::begin(out.goal_info.goal_id.uuid));
   return out;
 }
 

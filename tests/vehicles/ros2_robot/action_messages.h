@@ -34,6 +34,7 @@ void pass(Io& io, GoalInfo& m) {
 
 struct SendGoalRequest {
   static constexpr const char* kType = "nav2_msgs::action::dds_::NavigateToPose_SendGoal_Request_";
+  static constexpr const char* kHash = "";
   GoalId id{};
   PoseStamped pose;
   std::string behavior_tree = {};
@@ -45,6 +46,7 @@ void pass(Io& io, SendGoalRequest& m) {
 
 struct SendGoalResponse {
   static constexpr const char* kType = "nav2_msgs::action::dds_::NavigateToPose_SendGoal_Response_";
+  static constexpr const char* kHash = "";
   bool accepted = false;
   Time stamp;
 };
@@ -55,6 +57,7 @@ void pass(Io& io, SendGoalResponse& m) {
 
 struct GetResultRequest {
   static constexpr const char* kType = "nav2_msgs::action::dds_::NavigateToPose_GetResult_Request_";
+  static constexpr const char* kHash = "";
   GoalId id{};
 };
 template <class Io>
@@ -65,6 +68,7 @@ void pass(Io& io, GetResultRequest& m) {
 /// The result as Nav2 has it since Kilted. Older ones begin alike: a number alone (Jazzy), nothing (Humble).
 struct GetResultResponse {
   static constexpr const char* kType = "nav2_msgs::action::dds_::NavigateToPose_GetResult_Response_";
+  static constexpr const char* kHash = "";
   std::int8_t status = 0;
   std::uint16_t error_code = 0;
   std::string error_msg = {};
@@ -76,6 +80,7 @@ void pass(Io& io, GetResultResponse& m) {
 
 struct CancelGoalRequest {
   static constexpr const char* kType = "action_msgs::srv::dds_::CancelGoal_Request_";
+  static constexpr const char* kHash = "";
   GoalInfo goal;
 };
 template <class Io>
@@ -85,6 +90,7 @@ void pass(Io& io, CancelGoalRequest& m) {
 
 struct CancelGoalResponse {
   static constexpr const char* kType = "action_msgs::srv::dds_::CancelGoal_Response_";
+  static constexpr const char* kHash = "";
   std::int8_t return_code = 0;
   std::vector<GoalInfo> goals_canceling = {};
 };

@@ -5,7 +5,9 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include <fmt/core.h>
@@ -33,7 +35,7 @@ constexpr const char* kDescription =
     "  odom              Odometry, 20 a second: counted from where it was switched on, and it drifts\n"
     "  scan              LaserScan, 10 a second\n"
     "  battery_state     BatteryState, 1 a second\n"
-    "  navigate_to_pose  the action, with --nav2; services as rmw_cyclonedds has them; cmd_vel goes before\n"
+    "  navigate_to_pose  the action, with --nav2; cmd_vel goes before\n"
     "\n"
     "and besides /tf (odom to base_link), /tf_static (base_link to laser, 0.1 m ahead), ros_discovery_info.\n"
     "It prints `ready`; then, each with the seconds since it was switched on, `goes at T`, `brakes at T: "
@@ -65,8 +67,20 @@ struct Options {
   double seconds = 0.0;   // 0: without end
   double speed_up = 1.0;  // of its time, against the machine's
   bool has_nav2 = false;
+  NavigationSettings navigation;
   bool logs = false;
 };
+
+void add_navigation(CLI::App& app, Options& options) {
+  app.add_flag("--nav2", options.has_nav2, "goals by Nav2's action NavigateToPose");
+  app.add_option("--rmw", options.navigation.services, "how its services are spoken")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Services>{
+          {"rmw_fastrtps_cpp", Services::kPlain}, {"rmw_cyclonedds_cpp", Services::kHeaded}}))
+      ->default_str("rmw_fastrtps_cpp");
+  app.add_option("--refuses", options.navigation.refused, "so many goals at first")->capture_default_str();
+  app.add_option("--aborts", options.navigation.aborted, "so many of those that it accepts at first")
+      ->capture_default_str();
+}
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("--namespace", options.node.node_namespace, "of its topics, such as /veh1")
@@ -85,7 +99,6 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--world", options.world, "what is around it: an overlay; without one there is nothing")
       ->type_name("FILE.odl");
   app.add_flag("--stamped", options.node.is_stamped, "cmd_vel is TwistStamped instead of Twist");
-  app.add_flag("--nav2", options.has_nav2, "goals by Nav2's action NavigateToPose");
   app.add_option("--frame-prefix", options.node.frame_prefix,
                  "before the names of its frames, such as veh1/");
   app.add_option("--max-speed", options.robot.max_speed, "[m/s]")
@@ -170,7 +183,8 @@ void serve(const Options& options, const overlay::Overlay& world) {
   Participant participant(options.node.domain, options.node.node_namespace, "mlab_ros2_robot");
   Node node(participant, options.node, robot);
   std::unique_ptr<NavigationServer> navigation;
-  if (options.has_nav2) navigation = std::make_unique<NavigationServer>(participant, options.node, robot);
+  if (options.has_nav2)
+    navigation = std::make_unique<NavigationServer>(participant, options.node, options.navigation, robot);
   participant.introduce();
   fmt::print("ready\n");
   std::fflush(stdout);
@@ -200,6 +214,7 @@ int run(int argc, char** argv) {
   CLI::App app(kDescription, "mlab_ros2_robot");
   Options options;
   add_options(app, options);
+  add_navigation(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace mlab::ros2_robot {
 namespace {
@@ -11,12 +11,9 @@ constexpr double kFeedbackEvery = 0.2;      // [s]
 constexpr std::size_t kMostQuestions = 64;  // that wait
 constexpr std::uint16_t kUnknownError = 9000;
 
-/// What rmw_cyclonedds tells of a service's endpoints, by which it knows that both of them are there.
-std::string service_id(const Gid& gid, std::uint8_t number) {
-  std::string out = "serviceid=";
-  for (std::size_t i = 0; i < gid.size(); ++i)
-    out += fmt::format("{}{:x}", i > 0 ? "." : "", i + 1 < gid.size() ? gid[i] : number);
-  return out + ";";
+/// A service of the action.
+std::string service(const NodeSettings& node, const char* name) {
+  return node.node_namespace + "/navigate_to_pose/_action/" + name;
 }
 
 Time duration(double seconds) {
@@ -26,51 +23,50 @@ Time duration(double seconds) {
 
 }  // namespace
 
-template <class Request, class Response>
-NavigationServer::Service<Request, Response> NavigationServer::serve(Participant& participant,
-                                                                     const std::string& action,
-                                                                     const std::string& name) {
-  const std::string id = service_id(participant.gid(), static_cast<std::uint8_t>(name.size()));
-  return {participant.subscribe<Call<Request>>("rq" + action + name + "Request", {}, id),
-          participant.publish<Call<Response>>("rr" + action + name + "Reply", {}, id)};
-}
-
-NavigationServer::NavigationServer(Participant& participant, const NodeSettings& settings, Robot& robot)
-    : settings_(settings),
+NavigationServer::NavigationServer(Participant& participant, const NodeSettings& node,
+                                   const NavigationSettings& settings, Robot& robot)
+    : node_(node),
+      settings_(settings),
       robot_(robot),
-      send_goal_(serve<SendGoalRequest, SendGoalResponse>(
-          participant, settings.node_namespace + "/navigate_to_pose/_action/", "send_goal")),
-      cancel_goal_(serve<CancelGoalRequest, CancelGoalResponse>(
-          participant, settings.node_namespace + "/navigate_to_pose/_action/", "cancel_goal")),
-      get_result_(serve<GetResultRequest, GetResultResponse>(
-          participant, settings.node_namespace + "/navigate_to_pose/_action/", "get_result")),
-      statuses_(participant.publish<GoalStatuses>(
-          "rt" + settings.node_namespace + "/navigate_to_pose/_action/status", kLatched)),
-      feedback_(participant.publish<Feedback>(
-          "rt" + settings.node_namespace + "/navigate_to_pose/_action/feedback", {})) {}
+      send_goal_(participant, service(node, "send_goal"), settings.services, 1),
+      cancel_goal_(participant, service(node, "cancel_goal"), settings.services, 2),
+      get_result_(participant, service(node, "get_result"), settings.services, 3),
+      statuses_(participant.publish<GoalStatuses>("rt" + service(node, "status"), kLatched)),
+      feedback_(participant.publish<Feedback>("rt" + service(node, "feedback"), {})) {}
+
+bool NavigationServer::is_refused() {
+  if (settings_.refused <= 0) return false;
+  --settings_.refused;
+  fmt::print("refuses a goal\n");
+  return true;
+}
 
 bool NavigationServer::is_usable(const SendGoalRequest& request) const {
   const std::string& frame = request.pose.header.frame_id;
   const geom::Pose target = pose_of(request.pose.pose);
   // Its map is where it was switched on: it has no better one.
-  const bool is_known = frame.empty() || frame == "map" || frame == settings_.frame_prefix + "odom";
+  const bool is_known = frame.empty() || frame == "map" || frame == node_.frame_prefix + "odom";
   return is_known && std::isfinite(target.position.x) && std::isfinite(target.position.y) &&
          std::isfinite(target.heading);
 }
 
 void NavigationServer::take_goals() {
-  for (Call<SendGoalRequest> asked; send_goal_.requests.take(asked);) {
+  for (Asked<SendGoalRequest> asked; send_goal_.take(asked);) {
     const Goal goal{.id = asked.body.id,
                     .target = pose_of(asked.body.pose.pose),
                     .accepted = time_now(),
                     .began = robot_.time()};
-    const bool is_accepted = is_usable(asked.body) && navigator_.accept(goal);
+    const bool is_accepted = is_usable(asked.body) && !is_refused() && navigator_.accept(goal);
     send_goal_.reply(asked, {is_accepted, goal.accepted});
+    if (is_accepted && settings_.aborted > 0) {
+      --settings_.aborted;
+      navigator_.abort();
+    }
   }
 }
 
 void NavigationServer::take_cancellations() {
-  for (Call<CancelGoalRequest> asked; cancel_goal_.requests.take(asked);) {
+  for (Asked<CancelGoalRequest> asked; cancel_goal_.take(asked);) {
     CancelGoalResponse told;
     told.return_code = static_cast<std::int8_t>(navigator_.cancel(asked.body.goal, told.goals_canceling));
     cancel_goal_.reply(asked, told);
@@ -78,13 +74,13 @@ void NavigationServer::take_cancellations() {
 }
 
 void NavigationServer::take_questions() {
-  for (Call<GetResultRequest> asked; get_result_.requests.take(asked);) {
+  for (Asked<GetResultRequest> asked; get_result_.take(asked);) {
     if (questions_.size() < kMostQuestions) questions_.push_back(asked);
   }
 }
 
 void NavigationServer::answer_questions() {
-  std::erase_if(questions_, [&](const Call<GetResultRequest>& asked) {
+  std::erase_if(questions_, [&](const Asked<GetResultRequest>& asked) {
     const Goal* goal = navigator_.find(asked.body.id);
     const GoalState state = goal != nullptr ? goal->state : GoalState::kUnknown;
     if (goal != nullptr && !is_over(state)) return false;

@@ -7,13 +7,21 @@
 #include "node.h"
 #include "participant.h"
 #include "robot.h"
+#include "service.h"
 
 namespace mlab::ros2_robot {
 
-/// Nav2's action `navigate_to_pose`, its services as rmw_cyclonedds has them.
+struct NavigationSettings {
+  Services services = Services::kPlain;
+  int refused = 0;  ///< of the first goals, so many are not accepted
+  int aborted = 0;  ///< of the first that are, so many are aborted at once
+};
+
+/// Nav2's action `navigate_to_pose`.
 class NavigationServer {
  public:
-  NavigationServer(Participant& participant, const NodeSettings& settings, Robot& robot);
+  NavigationServer(Participant& participant, const NodeSettings& node, const NavigationSettings& settings,
+                   Robot& robot);
   NavigationServer(const NavigationServer&) = delete;
   NavigationServer& operator=(const NavigationServer&) = delete;
 
@@ -21,28 +29,17 @@ class NavigationServer {
   void work();
 
  private:
-  template <class Request, class Response>
-  struct Service {
-    Subscription<Call<Request>> requests;
-    Publication<Call<Response>> replies;
-    void reply(const Call<Request>& to, const Response& body) {
-      Call<Response> out{to.guid, to.sequence, body};
-      replies.write(out);
-    }
-  };
-  template <class Request, class Response>
-  static Service<Request, Response> serve(Participant& participant, const std::string& action,
-                                          const std::string& name);
-
   void take_goals();
   void take_cancellations();
   void take_questions();
   bool is_usable(const SendGoalRequest& request) const;
+  bool is_refused();
   void answer_questions();
   void tell_states();
   void tell_progress();
 
-  NodeSettings settings_;
+  NodeSettings node_;
+  NavigationSettings settings_;
   Robot& robot_;
   Navigator navigator_;
   Service<SendGoalRequest, SendGoalResponse> send_goal_;
@@ -50,7 +47,7 @@ class NavigationServer {
   Service<GetResultRequest, GetResultResponse> get_result_;
   Publication<GoalStatuses> statuses_;
   Publication<Feedback> feedback_;
-  std::vector<Call<GetResultRequest>> questions_;  // that wait for a goal to be over
+  std::vector<Asked<GetResultRequest>> questions_;  // that wait for a goal to be over
   std::uint64_t told_changes_ = 0;
   double next_feedback_ = 0.0;
 };

@@ -146,8 +146,8 @@ class Client {
 TEST(Ros2RobotNavigation, GoesToGoalsTheNewestFirstAndStandsWhereOneIsCanceled) {
   const int domain = free_domain();
   const CycloneSide side(domain);
-  RobotProcess robot({"--domain", std::to_string(domain), "--namespace", "/veh1", "--nav2", "--log",
-                      "--drift", "0", "--speed-up", "4", "--seconds", "300"});
+  RobotProcess robot({"--domain", std::to_string(domain), "--namespace", "/veh1", "--nav2", "--rmw",
+                      "rmw_cyclonedds_cpp", "--log", "--drift", "0", "--speed-up", "4", "--seconds", "300"});
   Client client(side);
   ASSERT_TRUE(becomes([&] { return client.is_connected(); })) << robot.said();
   EXPECT_FALSE(client.send(1, 5.0, "nowhere")) << "a frame that it does not know";

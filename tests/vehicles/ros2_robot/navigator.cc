@@ -61,6 +61,10 @@ bool Navigator::accept(const Goal& goal) {
   return true;
 }
 
+void Navigator::abort() {
+  if (!goals_.empty() && !is_over(goals_.back().state)) set(goals_.back(), GoalState::kAborted);
+}
+
 CancelCode Navigator::cancel(const GoalInfo& asked, std::vector<GoalInfo>& told) {
   const bool names_one = asked.id != GoalId{};
   const bool has_stamp = asked.stamp.sec != 0 || asked.stamp.nanosec != 0;

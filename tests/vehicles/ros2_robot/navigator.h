@@ -49,6 +49,8 @@ class Navigator {
   /// @param asked  an id of zeros: all that were accepted until its stamp, or all where that is 0, too
   /// @param told   those that are being canceled
   CancelCode cancel(const GoalInfo& asked, std::vector<GoalInfo>& told);
+  /// Gives up the newest goal.
+  void abort();
   /// @return  what the robot is to do; nothing: it has no goal
   std::optional<Speeds> step(const geom::Pose& pose, double now);
 

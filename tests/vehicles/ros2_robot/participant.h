@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fastdds/rtps/common/WriteParams.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -24,11 +25,22 @@ struct Quality {
 inline constexpr Quality kSensorData{.is_reliable = false, .depth = 5};
 inline constexpr Quality kLatched{.is_kept = true, .depth = 1};
 
+/// Of a message: who wrote it, and his number of it.
+using Identity = eprosima::fastrtps::rtps::SampleIdentity;
+
 template <class Message>
 class Publication {
  public:
   explicit Publication(eprosima::fastdds::dds::DataWriter* writer) : writer_(writer) {}
   void write(Message& message) { writer_->write(&message); }
+  /// @param related  goes beside the message: what it answers, or where an answer is to go
+  /// @return  what it is called itself
+  Identity write(Message& message, const Identity& related) {
+    eprosima::fastrtps::rtps::WriteParams about;
+    about.related_sample_identity(related);
+    writer_->write(&message, about);
+    return about.sample_identity();
+  }
   bool has_readers() const {
     eprosima::fastdds::dds::PublicationMatchedStatus status;
     writer_->get_publication_matched_status(status);
@@ -46,12 +58,21 @@ class Subscription {
   /// @return  false: there is none left
   bool take(Message& message) {
     eprosima::fastdds::dds::SampleInfo info;
+    return take(message, info);
+  }
+  bool take(Message& message, eprosima::fastdds::dds::SampleInfo& info) {
     while (reader_->take_next_sample(&message, &info) ==
            eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
       if (info.valid_data) return true;
     }
     return false;
   }
+  bool has_writers() const {
+    eprosima::fastdds::dds::SubscriptionMatchedStatus status;
+    reader_->get_subscription_matched_status(status);
+    return status.current_count > 0;
+  }
+  const eprosima::fastrtps::rtps::GUID_t& guid() const { return reader_->guid(); }
 
  private:
   eprosima::fastdds::dds::DataReader* reader_;

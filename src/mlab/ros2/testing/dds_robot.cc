@@ -22,6 +22,13 @@ char* chars_in(const std::string& text) {
   return const_cast<char*>(text.c_str());
 }
 
+/// Types of requests are called the same, whether something stands before them or not.
+dds_topic_descriptor_t called_as(const dds_topic_descriptor_t& headed, const dds_topic_descriptor_t& plain) {
+  dds_topic_descriptor_t out = headed;
+  out.m_typename = plain.m_typename;
+  return out;
+}
+
 std_msgs_msg_dds__Header_ header_of(const Stamp& stamp, const std::string& frame) {
   return {wire_of(stamp), chars_in(frame)};
 }
@@ -72,15 +79,18 @@ DdsRobot::DdsRobot(Listens listens, Navigator navigator) : listens_(listens) {
   tf_static_ = writer("rt/tf_static", tf2_msgs_msg_dds__TFMessage__desc, "tf2_msgs/msg/TFMessage", kLatched);
   if (navigator == Navigator::kNone) return;
   TopicQos server = kReliable;
-  if (navigator == Navigator::kOurs) server.more = "serviceid=01.02.03;";
+  if (navigator == Navigator::kHeaded) server.more = "serviceid=01.02.03;";
   const std::string action = namespace_of_this_process() + "/navigate_to_pose/_action/";
-  goals_ = reader("rq" + action + "send_goalRequest",
-                  nav2_msgs_action_dds__NavigateToPose_SendGoal_Request__desc, "", server);
-  answers_ = writer("rr" + action + "send_goalReply",
-                    nav2_msgs_action_dds__NavigateToPose_SendGoal_Response__desc, "", kReliable);
-  cancels_ =
-      reader("rq" + action + "cancel_goalRequest", action_msgs_srv_dds__CancelGoal_Request__desc, "", server);
+  goals_ = reader(
+      "rq" + action + "send_goalRequest",
+      called_as(headed_SendGoal_Request__desc, nav2_msgs_action_dds__NavigateToPose_SendGoal_Request__desc),
+      "", server);
+  cancels_ = reader("rq" + action + "cancel_goalRequest",
+                    called_as(headed_CancelGoal_Request__desc, action_msgs_srv_dds__CancelGoal_Request__desc),
+                    "", server);
   goal_states_ = writer("rt" + action + "status", action_msgs_msg_dds__GoalStatusArray__desc, "", kLatched);
+  feedback_ = writer("rt" + action + "feedback", nav2_msgs_action_dds__NavigateToPose_FeedbackMessage__desc,
+                     "", kReliable);
 }
 
 void DdsRobot::say(const Odometry& odometry) {
@@ -169,29 +179,24 @@ std::vector<std::string> DdsRobot::take_nodes() {
 }
 
 std::vector<Goal> DdsRobot::take_goals() {
-  using Request = nav2_msgs_action_dds__NavigateToPose_SendGoal_Request_;
   std::vector<Goal> out;
-  take_all<Request>(goals_.handle(), [&](const Request& message, const auto&) {
-    const auto& pose = message.goal.pose.pose;
+  take_all<headed_SendGoal_Request_>(goals_.handle(), [&](const auto& message, const auto&) {
+    const auto& asked = message.body.goal.pose;
     Goal& goal = out.emplace_back();
-    std::ranges::copy(message.goal_id.uuid, std::begin(goal.id.bytes));
-    goal.frame = message.goal.pose.header.frame_id;
-    goal.x = pose.position.x;
-    goal.y = pose.position.y;
-    goal.heading = 2.0 * std::atan2(pose.orientation.z, pose.orientation.w);
-    nav2_msgs_action_dds__NavigateToPose_SendGoal_Response_ answer{};
-    answer.guid = message.guid;
-    answer.seq = message.seq;
-    answer.accepted = true;
-    dds_write(answers_.handle(), &answer);
+    std::ranges::copy(message.body.goal_id.uuid, std::begin(goal.id.bytes));
+    goal.frame = asked.header.frame_id;
+    goal.x = asked.pose.position.x;
+    goal.y = asked.pose.position.y;
+    goal.heading = 2.0 * std::atan2(asked.pose.orientation.z, asked.pose.orientation.w);
   });
   return out;
 }
 
-int DdsRobot::take_cancels() {
-  int out = 0;
-  take_all<action_msgs_srv_dds__CancelGoal_Request_>(cancels_.handle(),
-                                                     [&](const auto&, const auto&) { ++out; });
+std::vector<GoalId> DdsRobot::take_cancels() {
+  std::vector<GoalId> out;
+  take_all<headed_CancelGoal_Request_>(cancels_.handle(), [&](const auto& message, const auto&) {
+    std::ranges::copy(message.body.goal_info.goal_id.uuid, std::begin(out.emplace_back().bytes));
+  });
   return out;
 }
 
@@ -203,6 +208,15 @@ void DdsRobot::say_goal_state(const GoalId& id, GoalState state) {
   message.status_list._buffer = &one;
   message.status_list._length = message.status_list._maximum = 1;
   dds_write(goal_states_.handle(), &message);
+}
+
+void DdsRobot::say_feedback(const GoalId& id, int recoveries) {
+  nav2_msgs_action_dds__NavigateToPose_FeedbackMessage_ message{};
+  const std::string frame = "map";
+  std::ranges::copy(id.bytes, std::begin(message.goal_id.uuid));
+  message.current_pose.header = header_of({}, frame);
+  message.number_of_recoveries = static_cast<std::int16_t>(recoveries);
+  dds_write(feedback_.handle(), &message);
 }
 
 }  // namespace mlab::ros2::testing

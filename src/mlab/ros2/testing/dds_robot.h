@@ -27,7 +27,8 @@ class DdsRobot {
     std::string frame;
   };
 
-  enum class Navigator { kNone, kOurs, kOther };  ///< kOther: it speaks services otherwise
+  /// kUnknown: it is neither on Fast DDS nor says that it is rmw_cyclonedds's.
+  using Navigator = Services;
 
   DdsRobot(Listens listens, Navigator navigator = Navigator::kNone);
 
@@ -41,10 +42,11 @@ class DdsRobot {
   std::optional<std::string> take_bytes(const Endpoint& reader);
   /// The nodes that participants list: `/veh1/missionlab`.
   std::vector<std::string> take_nodes();
-  /// Requests for goals, which are accepted; the number of requests to take all back.
+  /// Goals that were asked for; and goals to be taken back, of which one of zeros means all.
   std::vector<Goal> take_goals();
-  int take_cancels();
+  std::vector<GoalId> take_cancels();
   void say_goal_state(const GoalId& id, GoalState state);
+  void say_feedback(const GoalId& id, int recoveries);
 
   RosParticipant& participant() { return *participant_; }
   Endpoint& velocities() { return velocities_; }
@@ -58,7 +60,7 @@ class DdsRobot {
   Listens listens_;
   std::unique_ptr<RosParticipant> participant_;
   Endpoint velocities_, nodes_, goals_, cancels_;
-  Endpoint odometry_, scan_, battery_, tf_static_, answers_, goal_states_;
+  Endpoint odometry_, scan_, battery_, tf_static_, goal_states_, feedback_;
 };
 
 }  // namespace mlab::ros2::testing

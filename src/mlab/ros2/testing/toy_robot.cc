@@ -45,8 +45,10 @@ class ToyRobot::End final : public Link {
   }
   Listeners listeners() const override {
     const bool is_there = robot_.is_on && robot_.listens;
-    return {is_there && !robot_.spec_.is_stamped, is_there && robot_.spec_.is_stamped,
-            is_there && robot_.spec_.has_navigator};
+    return {.twist = is_there && !robot_.spec_.is_stamped,
+            .twist_stamped = is_there && robot_.spec_.is_stamped,
+            .navigator = is_there ? robot_.spec_.navigator : Services::kNone,
+            .navigators_so_far = robot_.navigators_};
   }
   void say(const Velocity& velocity) override {
     robot_.network.to_robot([robot = &robot_, velocity] { robot->obey(velocity); }, robot_.now_);
@@ -54,27 +56,20 @@ class ToyRobot::End final : public Link {
   void say(const State& state) override {
     robot_.network.to_robot([robot = &robot_, state] { robot->states.push_back(state); }, robot_.now_);
   }
-  std::int64_t send(const Goal& sent) override {
-    ++requests_;
-    robot_.network.to_robot(
-        [robot = &robot_, sent, request = requests_] { robot->go_to(sent, request, robot->now_); },
-        robot_.now_);
-    return requests_;
+  void send(const Goal& sent) override {
+    robot_.network.to_robot([robot = &robot_, sent] { robot->give(sent); }, robot_.now_);
+  }
+  void cancel(const GoalId& id) override {
+    robot_.network.to_robot([robot = &robot_, id] { robot->cancel(id); }, robot_.now_);
   }
   void cancel_all_goals() override {
-    robot_.network.to_robot(
-        [robot = &robot_] {
-          ++robot->cancels;
-          robot->goal.reset();
-        },
-        robot_.now_);
+    robot_.network.to_robot([robot = &robot_] { robot->cancel({}); }, robot_.now_);
   }
   std::vector<std::string> take_news() override { return {}; }
 
  private:
   ToyRobot& robot_;
   std::string name_ = "a toy's domain";
-  std::int64_t requests_ = 0;
 };
 
 std::unique_ptr<Link> ToyRobot::link() {
@@ -100,22 +95,54 @@ void ToyRobot::obey(const Velocity& velocity) {
   told_at_ = now_ - std::chrono::duration_cast<vehicle::Clock::duration>(std::chrono::duration<double>(age));
 }
 
-void ToyRobot::go_to(const Goal& goal_now, std::int64_t request, Time now) {
-  if (!is_on || !spec_.has_navigator) return;
+void ToyRobot::give(const Goal& given) {
+  if (!is_on || spec_.navigator == Services::kNone || !takes_goals) return;
   ++goals;
-  goal = goal_now;
-  Heard answer;
-  answer.answers.push_back({request, true});
-  tell(std::move(answer), now);
+  set(given.id, GoalState::kExecuting);
+  if (goal) set(goal->id, GoalState::kAborted);
+  goal = given;
+  if (finds_ways) return;
+  set(given.id, GoalState::kAborted);
+  goal.reset();
 }
 
-void ToyRobot::navigate(double& wanted_speed, double& wanted_turn, Time now) {
+void ToyRobot::cancel(const std::optional<GoalId>& id) {
+  if (!is_on) return;
+  ++(id ? cancels : cancels_of_all);
+  if (!goal || (id && *id != goal->id)) return;
+  set(goal->id, GoalState::kCanceled);
+  goal.reset();
+}
+
+void ToyRobot::restart_navigator() {
+  ++navigators_;
+  goal.reset();
+  states_of_goals_.clear();
+  tell_states();
+}
+
+void ToyRobot::set(const GoalId& id, GoalState state) {
+  constexpr std::size_t kKept = 16;
+  const auto known = std::ranges::find(states_of_goals_, id, &GoalStatus::id);
+  if (known != states_of_goals_.end())
+    known->state = state;
+  else
+    states_of_goals_.push_back({id, state});
+  if (states_of_goals_.size() > kKept) states_of_goals_.erase(states_of_goals_.begin());
+  tell_states();
+}
+
+void ToyRobot::tell_states() {
+  Heard heard;
+  heard.goals = states_of_goals_;
+  tell(std::move(heard), now_);
+}
+
+void ToyRobot::navigate(double& wanted_speed, double& wanted_turn) {
   const geom::Pose is{geom::Point{} + (pose.position - origin_.position), pose.heading};
   const geom::Offset to = geom::Point{goal->x, goal->y} - is.position;
   if (geom::length(to) < 0.1) {
-    Heard status;
-    status.goals.push_back({goal->id, GoalState::kSucceeded});
-    tell(std::move(status), now);
+    set(goal->id, GoalState::kSucceeded);
     goal.reset();
     return;
   }
@@ -131,7 +158,7 @@ void ToyRobot::step(Time now, double dt) {
   double wanted_turn = 0.0;
   const bool is_told = is_on && told_at_ && vehicle::seconds_between(*told_at_, now) <= spec_.watchdog;
   if (is_on && goal) {
-    navigate(wanted_speed, wanted_turn, now);
+    navigate(wanted_speed, wanted_turn);
   } else if (is_told) {
     wanted_speed = obeyed_.speed;
     wanted_turn = obeyed_.turn_rate;
@@ -145,7 +172,7 @@ void ToyRobot::step(Time now, double dt) {
 
 void ToyRobot::restart() {
   told_at_.reset();
-  goal.reset();
+  restart_navigator();
   origin_ = {pose.position, 0.0};
 }
 
@@ -184,6 +211,9 @@ void ToyRobot::publish(Time now) {
     heard.batteries.push_back({12.1F, 0.8F});
   }
   if (steps_ % 5 == 0) heard.scans.push_back(scan(now));
+  if (goal) heard.feedback.push_back({goal->id, recoveries});
+  // What was lost of its states comes again, as it does over DDS.
+  if (spec_.navigator != Services::kNone) heard.goals = states_of_goals_;
   if (tells_mount && steps_ % 50 == 1)
     heard.transforms.push_back({"base_link", "laser", {0.2, 0.0, 0.3}, {}, true, true});
   tell(std::move(heard), now);
@@ -197,8 +227,8 @@ void ToyRobot::tell(Heard heard, Time now) {
         add(arrived_.scans, heard.scans);
         add(arrived_.batteries, heard.batteries);
         add(arrived_.transforms, heard.transforms);
-        add(arrived_.goals, heard.goals);
-        add(arrived_.answers, heard.answers);
+        add(arrived_.feedback, heard.feedback);
+        if (heard.goals) arrived_.goals = heard.goals;
       },
       now);
 }

@@ -19,12 +19,12 @@ using Time = vehicle::Clock::time_point;
 /// What a robot for unit tests is like. The numbers are those of many: half a second without a command and it
 /// brakes.
 struct ToySpec {
-  bool is_stamped = false;         ///< listens to TwistStamped, and refuses what was said too long ago
-  bool has_navigator = false;      ///< goes to goals; else it obeys velocities only
-  double watchdog = 0.5;           ///< [s]
-  double acceleration = 2.0;       ///< [m/s^2]
-  double turn_acceleration = 6.0;  ///< [rad/s^2]
-  double cruise = 0.4;             ///< of the navigator [m/s]
+  bool is_stamped = false;               ///< listens to TwistStamped, and refuses what was said too long ago
+  Services navigator = Services::kNone;  ///< goes to goals; else it obeys velocities only
+  double watchdog = 0.5;                 ///< [s]
+  double acceleration = 2.0;             ///< [m/s^2]
+  double turn_acceleration = 6.0;        ///< [rad/s^2]
+  double cruise = 0.4;                   ///< of the navigator [m/s]
 };
 
 /// What lies between: messages, of which some get lost, all later by the same delay.
@@ -64,6 +64,7 @@ class ToyRobot {
  public:
   ToyRobot(const ToySpec& spec, std::uint64_t seed) : network(seed), spec_(spec) {}
 
+  const ToySpec& spec() const { return spec_; }
   /// The device's end. The robot outlives it.
   std::unique_ptr<Link> link();
   /// Moves it, and has it say what is due.
@@ -85,17 +86,28 @@ class ToyRobot {
   bool publishes = true;    ///< all of its topics
   int velocities = 0;       ///< that it was told
   int goals = 0;            ///< that it was given
-  int cancels = 0;
+  int cancels = 0;          ///< that named a goal
+  int cancels_of_all = 0;
   std::optional<Goal> goal;      ///< that it goes to
+  bool takes_goals = true;       ///< else its navigator takes none
+  bool finds_ways = true;        ///< else each goal is aborted at once
+  int recoveries = 0;            ///< that its navigator tells of
   std::vector<State> states;     ///< what was said of us
   std::optional<Velocity> told;  ///< last
   std::function<void(Odometry&)> change_odometry = [](Odometry&) {};
 
+  /// As though it came from one of the clients of its navigator: the newest is gone to.
+  void give(const Goal& goal);
+  /// Its navigator ends, and another one begins.
+  void restart_navigator();
+
  private:
   class End;
   void obey(const Velocity& velocity);
-  void go_to(const Goal& goal, std::int64_t request, Time now);
-  void navigate(double& wanted_speed, double& wanted_turn, Time now);
+  void cancel(const std::optional<GoalId>& id);
+  void set(const GoalId& id, GoalState state);
+  void tell_states();
+  void navigate(double& wanted_speed, double& wanted_turn);
   void tell(Heard heard, Time now);
   void publish(Time now);
 
@@ -104,6 +116,8 @@ class ToyRobot {
   Time now_;
   std::optional<Time> told_at_;
   Velocity obeyed_;
+  std::vector<GoalStatus> states_of_goals_;
+  std::uint32_t navigators_ = 1;
   Heard arrived_;
   int steps_ = 0;
 };

@@ -56,6 +56,8 @@ struct Facts {
   /// Its vehicle refuses what it was told too long ago; else a line that holds commands back and lets them go
   /// later moves it once more.
   bool refuses_late_commands = false;
+  /// Else it turns as it sees fit on the way to where a command leads: it is only told that.
+  bool holds_turn_rates = true;
   bool has_checks = true;  ///< it says what of it is to be looked at before a mission, for it is real
 };
 
