@@ -182,9 +182,13 @@ void SearchGrid::enter_edges(const Ground& ground, const Clearing& clearing) {
     for (int column = 0; column < columns_; ++column) {
       const std::size_t cell = index(column, row);
       if (!may_be_at(cell)) continue;
-      if (is_rim(column, row)) look_from(place(column, row));
       can_be_seen_[cell] = is_inside_[cell];
       is_visible_[cell] = is_inside_[cell];
+    }
+  }
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      if (may_be_at(index(column, row)) && is_rim(column, row)) look_from(place(column, row));
     }
   }
   const double outside = 2.0 * Clearing::kTolerance;
@@ -217,12 +221,18 @@ void SearchGrid::enter_edge(geom::Point at, const Clearing& clearing) {
 }
 
 void SearchGrid::look_from(LanePlace at) {
-  each_seen(at, at, reach_, [&](std::size_t first, std::size_t last) {
-    for (std::size_t one = first; one <= last; ++one) can_be_seen_[one] = is_inside_[one];
-  });
-  each_seen(at, at, 0.5 * swath_, [&](std::size_t first, std::size_t last) {
-    for (std::size_t one = first; one <= last; ++one) is_visible_[one] = is_inside_[one];
-  });
+  // Most of what is near is known by now, and walls are only asked for the rest.
+  const auto look = [&](double reach, auto& known) {
+    each_span(at, at, reach, [&](std::size_t first, std::size_t last) {
+      const auto row = static_cast<int>(first / static_cast<std::size_t>(columns_));
+      for (std::size_t one = first; one <= last; ++one) {
+        if (is_inside_[one] == 0 || known[one] != 0) continue;
+        if (!sight_.hides(place(static_cast<int>(one - index(0, row)), row), at)) known[one] = 1;
+      }
+    });
+  };
+  look(reach_, can_be_seen_);
+  look(0.5 * swath_, is_visible_);
 }
 
 template <class IsFor>
