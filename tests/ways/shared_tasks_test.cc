@@ -22,7 +22,7 @@ namespace {
 using Places = std::vector<geom::Point>;
 
 // Places side by side in a rectangle that are free of rocks, and whether somebody has come near enough to see
-// them.
+// them, on their side of all walls.
 class Seen {
  public:
   struct Rock {
@@ -41,9 +41,14 @@ class Seen {
     }
     all_ = static_cast<double>(unseen_.size());
   }
+  void add_wall(geom::Segment wall) { walls_.push_back(wall); }
   void look(geom::Segment from) {
-    std::erase_if(unseen_,
-                  [&](geom::Point p) { return geom::distance(geom::nearest_point(from, p), p) <= reach_; });
+    std::erase_if(unseen_, [&](geom::Point p) {
+      const geom::Point near = geom::nearest_point(from, p);
+      return geom::distance(near, p) <= reach_ &&
+             std::ranges::none_of(
+                 walls_, [&](const geom::Segment& wall) { return geom::intersects({near, p}, wall); });
+    });
   }
   double area() const { return step_ * step_ * all_; }  // [m^2]
   double share() const { return 1.0 - static_cast<double>(unseen_.size()) / all_; }
@@ -52,6 +57,7 @@ class Seen {
   double reach_;
   double step_;  // from place to place [m]
   std::vector<geom::Point> unseen_;
+  std::vector<geom::Segment> walls_;
   double all_ = 0.0;
 };
 
@@ -374,12 +380,25 @@ TEST_F(SharedTasks, WhatIsBehindADoorIsSearched) {
         "OBJ Field 60 60 200 60 200 180 60 180\n" +
             fmt::format("WALL low 130 0 130 {}\nWALL high 130 {} 130 400\n", 120 - door / 2, 120 + door / 2));
     Seen seen({60, 60}, {200, 180}, {}, 10.0);
+    seen.add_wall({{130, 0}, {130, 120 - door / 2}});
+    seen.add_wall({{130, 120 + door / 2}, {130, 400}});
     search(seen);
     EXPECT_TRUE(is_done()) << told_;
     EXPECT_EQ(told_.find("will see"), std::string::npos) << told_;
     EXPECT_EQ(contacts(), 0U);
     EXPECT_GE(seen.share(), 0.995);
   }
+}
+
+TEST_F(SharedTasks, WhatIsBehindAWallIsLookedAtFromItsOtherSide) {
+  // Half a swath from the wall, lanes on its one side are near enough to what is behind it.
+  make(2, "", "SEARCH Field SWATH 20", "OBJ Field 60 60 200 60 200 100 60 100\nWALL fence 66 92 194 92\n");
+  Seen seen({60, 60}, {200, 100}, {}, 20.0);
+  seen.add_wall({{66, 92}, {194, 92}});
+  search(seen);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_GE(seen.share(), 0.995);
 }
 
 TEST_F(SharedTasks, WhatALostRobotHadIsSearchedByTheOthers) {

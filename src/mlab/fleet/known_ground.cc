@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "mlab/base/hash.h"
 #include "mlab/mission/known_map.h"
@@ -54,9 +57,13 @@ TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::vector<geo
       mapped_(mapped.value_or(ground_.discs.size())),
       revision_(revision_of(ground_, bounds)) {}
 
-bool TeamGround::knows(geom::Point place) const {
+const ways::Clearing& TeamGround::things() const {
   std::call_once(looked_, [this] { things_.emplace(ground_, kSame); });
-  return !things_->is_free(place);
+  return *things_;
+}
+
+bool TeamGround::knows(geom::Point place) const {
+  return !things().is_free(place);
 }
 
 std::shared_ptr<const TeamGround> TeamGround::with(std::span<const ways::Round> sensed) const {
@@ -79,14 +86,19 @@ std::vector<geom::Point> TeamGround::missed(const geom::Pose& pose, double reach
                                             std::span<const percept::Obstacle> seen) const {
   constexpr double kSmallest = 0.25;  // [m]
   constexpr double kWithin = 1.0;     // so much nearer than its sensors reach [m]
+  std::vector<std::uint32_t> discs;
   std::vector<geom::Point> out;
-  for (const auto& [center, radius] : ground_.discs) {
-    if (radius < kSmallest || distance(pose.position, center) - radius > reach - kWithin) continue;
+  if (!(reach >= kWithin) || !std::isfinite(pose.position.x + pose.position.y)) return out;
+  things().visit_discs(pose.position, reach, [&](std::uint32_t disc) {
+    const auto& [center, radius] = ground_.discs[disc];
+    if (radius < kSmallest || distance(pose.position, center) - radius > reach - kWithin) return;
     const geom::Vector there = pose.to_robot(center);
     const auto is_it = [&](const percept::Obstacle& one) { return length(one.center - there) <= kSame; };
     if (std::ranges::none_of(seen, is_it) && std::ranges::find(swaying_, center) == swaying_.end())
-      out.push_back(center);
-  }
+      discs.push_back(disc);
+  });
+  std::ranges::sort(discs);
+  for (const std::uint32_t disc : discs) out.push_back(ground_.discs[disc].center);
   return out;
 }
 

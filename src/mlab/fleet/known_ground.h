@@ -33,6 +33,7 @@ class TeamGround {
   /// The middles of round things that are known, but not among what a robot sees that would see them [m,
   /// world]. What is as small as a place of a wall is never missed.
   /// @param reach  how far it sees everything [m]
+  /// @return  in the order of the view's discs
   std::vector<geom::Point> missed(const geom::Pose& pose, double reach,
                                   std::span<const percept::Obstacle> seen) const;
   /// Without those whose middles are there, whoever knew of them; nothing: it knows none of them.
@@ -43,6 +44,8 @@ class TeamGround {
   /// @param swaying  as the field
   TeamGround(ways::Ground ground, ways::Bounds bounds, std::vector<geom::Point> swaying,
              std::optional<std::size_t> mapped);
+
+  const ways::Clearing& things() const;
 
   ways::Ground ground_;  // without bounds: things beyond them are known, too
   ways::Bounds bounds_;

@@ -1,8 +1,13 @@
 #include "mlab/fleet/known_ground.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "mlab/base/random.h"
 
 namespace mlab::fleet {
 namespace {
@@ -70,6 +75,44 @@ TEST(TeamGround, ForgetsWhatIsSeenToBeGone) {
   EXPECT_EQ(after->without(both), nullptr);
   EXPECT_EQ(before->without(std::span(both).last(1))->without(std::span(both).first(1))->view().revision,
             after->view().revision);
+}
+
+TEST(TeamGround, MissesAmongManyWhatOneByOneWouldBeMissed) {
+  constexpr std::uint64_t kSeed = 20261129;
+  base::Random random(kSeed);
+  overlay::Overlay map;
+  for (int i = 0; i < 600; ++i) {
+    const double radius = i % 50 == 0 ? 40.0 : random.uniform(0.1, 6.0);
+    map.obstacles.push_back({{random.uniform(0.0, 900.0), random.uniform(0.0, 900.0)}, radius, 0.0, {}});
+  }
+  const TeamGround ground(map);
+  std::size_t missed = 0;
+  for (int look = 0; look < 60; ++look) {
+    const geom::Pose here{{random.uniform(-50.0, 950.0), random.uniform(-50.0, 950.0)},
+                          random.uniform(-3.0, 3.0)};
+    const double reach = random.uniform(0.5, 80.0);
+    std::vector<percept::Obstacle> seen;
+    std::vector<geom::Point> expected;
+    for (const ways::Round& disc : ground.view().discs) {
+      if (distance(disc.center, here.position) - disc.radius > reach - 1.0 || disc.radius < 0.25) continue;
+      if (random.uniform(0.0, 1.0) < 0.5)
+        seen.push_back({here.to_robot(disc.center), disc.radius, {}});
+      else
+        expected.push_back(disc.center);
+    }
+    std::erase_if(expected, [&](geom::Point center) {  // something else is seen in its place
+      const geom::Vector there = here.to_robot(center);
+      return std::ranges::any_of(seen, [&](const auto& one) { return length(one.center - there) <= 0.2; });
+    });
+    EXPECT_EQ(ground.missed(here, reach, seen), expected) << "seed " << kSeed << ", look " << look;
+    missed += expected.size();
+  }
+  EXPECT_GT(missed, 100U);
+}
+
+TEST(TeamGround, MissesNothingWhereNobodyKnowsWhereTheRobotIs) {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(TeamGround(with_one_disc()).missed({{kNowhere, 50.0}, 0.0}, 30.0, {}).empty());
 }
 
 TEST(TeamGround, HasRoomForSoManyAndNoMore) {

@@ -203,6 +203,43 @@ TEST(Rally, EndsAtATimeWhoeverIsThere) {
   for (std::uint32_t id = 1; id <= 2; ++id) EXPECT_TRUE(fleet.robot(id).order.order.halted);
 }
 
+/// A RALLY whose robots stop 12 m before the place and say that they are there.
+std::unique_ptr<ToyFleet> rally_beside(bool is_taken) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 2);
+  if (is_taken) m.mission().overlay.obstacles.push_back({{100, 0}, 9.0, 0.0, {}});
+  m.step({start(unit)}).step({rally(unit, {100, 0}, 3.0)});
+  auto fleet = std::make_unique<ToyFleet>(m.make());
+  fleet->send(event::Execute{});
+  fleet->run_cycles(5);
+  for (const std::uint32_t id : {1U, 2U}) {
+    fleet->robot(id).report.pose.position = {88, id == 1 ? -2.0 : 2.0};
+    fleet->robot(id).is_stuck = fleet->robot(id).report.done = true;
+  }
+  return fleet;
+}
+
+TEST(Rally, IsDoneBesideWhatStandsAtThePlace) {
+  const auto fleet = rally_beside(true);
+  ASSERT_TRUE(fleet->run(20.0));
+  EXPECT_EQ(fleet->state().outcome, Outcome::kDone) << fleet->transcript();
+  EXPECT_TRUE(fleet->has_told("unit u RALLY Camp: something stands at the place")) << fleet->transcript();
+}
+
+TEST(Rally, WaitsBesideAPlaceWhereNothingStands) {
+  const auto fleet = rally_beside(false);
+  EXPECT_FALSE(fleet->run(60.0)) << fleet->transcript();
+}
+
+TEST(Rally, WaitsForOneThatHasLeftAPlaceWhereSomethingStands) {
+  const auto fleet = rally_beside(true);
+  fleet->run_cycles(5);
+  fleet->robot(2).report.pose.position = {60, 0};
+  EXPECT_FALSE(fleet->run(60.0)) << fleet->transcript();
+  fleet->robot(2).report.pose.position = {88, 2};
+  EXPECT_TRUE(fleet->run(20.0)) << fleet->transcript();
+}
+
 TEST(Rally, FailsWithThoseThatAreNotThereWhenNobodyComesNearer) {
   MissionMaker m;
   const auto unit = m.unit("u", 2);

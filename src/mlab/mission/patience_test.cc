@@ -95,6 +95,45 @@ TEST_F(Patience, NamesAFault) {
       << fleet_->transcript();
 }
 
+TEST_F(Patience, IsShortWithAUnitOfWhichNobodyIsLeft) {
+  disturb_ = [](ToyFleet& fleet) {
+    fleet.robot(1).report.is_running = false;
+    fleet.robot(2).reports = false;
+  };
+  ToyFleet& fleet = run(25.0);
+  EXPECT_TRUE(fleet.state().in_step) << fleet.transcript();
+  fleet.run(10.0);
+  EXPECT_NEAR(fleet.time(), 30.0, 1.0);
+  EXPECT_TRUE(
+      fleet.has_told("unit a MOVETO A failed: none of its robots runs, and nobody replaced one for "
+                     "30 s; robot 1 at (0.5, 0.0), 100.0 m to go: not running"))
+      << fleet.transcript();
+  EXPECT_EQ(fleet.state().commands[2].failure, Failure::kNobodyLeft);
+}
+
+TEST_F(Patience, LastsWithOneThatIsReplacedInTime) {
+  disturb_ = [](ToyFleet& fleet) {
+    fleet.robot(1).report.is_running = fleet.robot(2).report.is_running = false;
+  };
+  ToyFleet& fleet = run(25.0);
+  fleet.robot(1).report.is_running = true;
+  fleet.run(25.0);
+  EXPECT_TRUE(fleet.state().in_step) << fleet.transcript();
+  fleet.robot(2).report.is_running = true;
+  fleet.run(100.0);
+  EXPECT_EQ(fleet.state().outcome, Outcome::kDone) << fleet.transcript();
+}
+
+TEST_F(Patience, WithoutAnEndLastsAlsoWhereNobodyIsLeft) {
+  maker_.step({move_to(b_, "B", {100, 50})});
+  fleet_ = std::make_unique<ToyFleet>(maker_.make(), ExecutiveOptions{.patience = 0.0});
+  fleet_->send(event::Execute{});
+  fleet_->run_cycles(2);
+  fleet_->robot(3).report.is_running = false;
+  fleet_->run(100.0);
+  EXPECT_TRUE(fleet_->state().in_step) << fleet_->transcript();
+}
+
 TEST_F(Patience, NamesRobotsThatWereNeverStarted) {
   const auto c = maker_.unit("c", 3);
   const ToyFleet& fleet = run(200.0, {move_to(c, "C", {5, 5})});

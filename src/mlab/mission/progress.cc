@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "mlab/mission/known_map.h"
 #include "mlab/mission/phase_line.h"
 #include "mlab/mission/question.h"
 #include "mlab/mission/step.h"
@@ -159,6 +161,46 @@ void take_time(Turn& turn, double time) {
   s.time = time;
 }
 
+// A command that ends by itself at a time is not waited for in vain.
+bool needs_patience(const Run& run) {
+  return run.phase == Run::Phase::kRobots && run.missing > 0 && !run.ends && !holds_at_line(run);
+}
+
+// Whether something that the map shows stands at the place of a RALLY, so that nobody can be there.
+bool is_taken(const State& state, const Run& run) {
+  const geom::Point place = run.command->goal;
+  return std::ranges::any_of(known_things(state.mission->overlay).discs, [&](const ways::Round& disc) {
+    return distance(disc.center, place) < disc.radius;
+  });
+}
+
+// RALLYs at such places whose robots come no nearer, and say of themselves that they are there, are done.
+void settle_rallies(Turn& turn, std::span<const RobotReport> reports) {
+  constexpr double kSettles = 5.0;  // so long nobody came nearer [s]
+  constexpr double kBeside = 5.0;   // who was so much nearer has left again [m]
+  State& s = turn.state;
+  const auto is_beside = [&](const RobotState& robot, const Run& run) {
+    const auto report = std::ranges::find(reports, robot.id, &RobotReport::id);
+    const double to_go = geom::distance(robot.pose.position, run.command->goal) - run.command->radius;
+    return report != reports.end() && report->is_running && report->done &&
+           report->sequence == robot.sequence && to_go <= std::max(robot.best, 0.0) + kBeside;
+  };
+  for (std::uint32_t i = 0; i < s.runs.size(); ++i) {
+    Run& run = s.runs[i];
+    if (run.command->task != Task::kRally || !needs_patience(run) || run.stalled < kSettles) continue;
+    const bool is_settled = std::ranges::all_of(run.needed, [&](base::RobotId id) {
+      const RobotState* robot = find_robot(s, id);
+      return robot != nullptr && (robot->done || is_beside(*robot, run));
+    });
+    if (!is_settled || !is_taken(s, run)) continue;
+    message(turn,
+            fmt::format("{}: something stands at the place; its robots are as near to it as they come",
+                        s.commands[run.record].text),
+            run.owner);
+    mark_done_for_all(s, i);
+  }
+}
+
 // Robots of START commands that were started, and say that they don't run: nothing comes of waiting for them.
 // How many, by the record of their command.
 std::map<std::uint32_t, std::uint32_t> failed_starts(const State& state,
@@ -190,17 +232,40 @@ void fail_starts(Turn& turn, const std::map<std::uint32_t, std::uint32_t>& faile
   if (has_failed) go_on(turn);
 }
 
-// A command that ends by itself at a time is not waited for in vain.
-bool needs_patience(const Run& run) {
-  return run.phase == Run::Phase::kRobots && run.missing > 0 && !run.ends && !holds_at_line(run);
-}
-
 // Of those that it waits for, some do not run and will not by themselves.
 bool has_lost_robots(const State& state, const Run& run) {
   return std::ranges::any_of(run.needed, [&](base::RobotId id) {
     const RobotState* robot = find_robot(state, id);
     return robot != nullptr && !robot->done && robot->seen != 0 && !robot->is_running;
   });
+}
+
+// All that it is for were lost: nobody is left who could come nearer to being done.
+bool has_nobody_left(const State& state, const Run& run) {
+  return std::ranges::all_of(run.needed, [&](base::RobotId id) {
+    const RobotState* robot = find_robot(state, id);
+    return robot != nullptr && robot->life == RobotState::Life::kStarted && robot->seen != 0 &&
+           !robot->is_running;
+  });
+}
+
+struct Verdict {
+  Failure failure = Failure::kNone;  // none: it goes on
+  std::string why;
+};
+
+// Whether a command that has made no progress for so long has failed.
+Verdict judge(const State& state, const Run& run) {
+  // Time to replace a robot, for an operator who looks on.
+  constexpr double kNobodyCame = 30.0;  // [s]
+  if (state.options.patience <= 0.0) return {};
+  if (run.stalled >= state.options.patience)
+    return {has_lost_robots(state, run) ? Failure::kRobotsLost : Failure::kNoProgress,
+            fmt::format("no progress for {:.0f} s", run.stalled)};
+  if (run.stalled >= kNobodyCame && has_nobody_left(state, run))
+    return {Failure::kNobodyLeft,
+            fmt::format("none of its robots runs, and nobody replaced one for {:.0f} s", kNobodyCame)};
+  return {};
 }
 
 // Fails commands that made no progress for too long; of a step the first one, with which the step fails.
@@ -211,11 +276,11 @@ void check_patience(Turn& turn) {
     Run& run = s.runs[i];
     if (!needs_patience(run)) continue;
     run.stalled += turn.elapsed;
-    if (s.options.patience <= 0.0 || run.stalled < s.options.patience) continue;
+    const Verdict verdict = judge(s, run);
+    if (verdict.failure == Failure::kNone) continue;
     has_failed = true;
     const bool of_step = is_step(s, run.owner);
-    fail(turn, run, has_lost_robots(s, run) ? Failure::kRobotsLost : Failure::kNoProgress,
-         fmt::format("no progress for {:.0f} s; {}", run.stalled, undone_text(s, run)));
+    fail(turn, run, verdict.failure, fmt::format("{}; {}", verdict.why, undone_text(s, run)));
     if (of_step) break;  // its runs are gone
   }
   if (has_failed) go_on(turn);
@@ -238,6 +303,7 @@ void take_cycle(Turn& turn, const event::Cycle& cycle) {
   watch_phase_lines(turn);
   for (const Run& run : s.runs) apply_halts(turn, run);
   expire_questions(turn);
+  settle_rallies(turn, cycle.robots);
   go_on(turn);
   fail_starts(turn, failed);
   check_patience(turn);

@@ -80,6 +80,9 @@ struct Terms {
       : ground(known_things(mission.overlay)),
         swath(command.swath - 2.0 * std::min(kOffWay, 0.05 * command.swath)) {
     ground.bounds = known_bounds(mission.overlay);
+    for (const overlay::Barrier& one : overlay::barriers(mission.overlay)) {
+      if (one.is_solid) opaque.push_back(one.segment);
+    }
     const RobotType* const type = type_of(mission, robot);
     if (type == nullptr) return;
     radius = std::max(number_parameter(*type, "robot_radius", kDefaultBodyRadius), 0.0);
@@ -89,6 +92,7 @@ struct Terms {
   ways::Clearances clearances() const { return {radius, margin}; }
 
   ways::Ground ground;
+  std::vector<geom::Segment> opaque;  // of its walls: not the edges of areas that robots only keep out of
   double radius = kDefaultBodyRadius;
   double margin = kDefaultMargin;
   double swath;
@@ -113,7 +117,7 @@ SearchWay plan_search(const Mission& mission, const UnitCommand& command,
                       const std::vector<base::RobotId>& robots, std::optional<geom::Point> from) {
   const Terms terms(mission, command, robots.front());
   const ways::Coverage found =
-      ways::coverage_route(command.route, terms.ground, terms.clearances(), terms.swath, from);
+      ways::coverage_route(command.route, terms.ground, terms.clearances(), terms.swath, from, terms.opaque);
   SearchWay out;
   out.margin = std::max(found.clearance - terms.radius, 0.0);
   out.warning = warning_of(found, command, command.place_name);
@@ -124,7 +128,8 @@ SearchWay plan_search(const Mission& mission, const UnitCommand& command,
 std::string warn_of_search(const Mission& mission, const UnitCommand& command, base::RobotId robot,
                            std::optional<geom::Point> from, const std::string& name) {
   const Terms terms(mission, command, robot);
-  auto outlook = ways::coverage_outlook(command.route, terms.ground, terms.clearances(), terms.swath, from);
+  auto outlook = ways::coverage_outlook(command.route, terms.ground, terms.clearances(), terms.swath, from,
+                                        terms.opaque);
   if (!outlook) return {};
   outlook->seen = 1.0;  // of what can be seen: what a way would miss is not known yet
   return warning_of(*outlook, command, name);

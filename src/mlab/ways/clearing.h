@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -38,6 +39,13 @@ class Clearing {
   /// edge the place that is nearest, and where two meet.
   std::vector<geom::Point> free_places(geom::Point p, std::size_t most) const;
 
+  /// Calls visit(disc) for each disc of the ground, by its index, that comes so near to a place, and for some
+  /// others; none twice, in whatever order. Without the clearance.
+  /// @param p      finite
+  /// @param reach  [m], >= 0
+  template <class Visit>
+  void visit_discs(geom::Point p, double reach, Visit&& visit) const;
+
   /// Of a round, where nothing is in the way.
   std::vector<Arc> free_arcs(std::uint32_t round) const;
 
@@ -67,5 +75,22 @@ class Clearing {
   std::vector<std::uint32_t> starts_;  // by cell: where its items begin; one more for the end
   std::vector<std::uint32_t> items_;   // discs, and walls behind them
 };
+
+template <class Visit>
+void Clearing::visit_discs(geom::Point p, double reach, Visit&& visit) const {
+  const Cell low = cell_of({p.x - reach, p.y - reach});
+  const Cell high = cell_of({p.x + reach, p.y + reach});
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      for (const std::uint32_t item : items({x, y})) {
+        if (item >= ground_.discs.size()) break;  // walls come behind them
+        // A disc stands in all cells that its box touches: it counts in the first of them.
+        const auto& [center, radius] = rounds_[item];
+        const Cell first = cell_of({center.x - radius, center.y - radius});
+        if (std::max(first.x, low.x) == x && std::max(first.y, low.y) == y) visit(item);
+      }
+    }
+  }
+}
 
 }  // namespace mlab::ways

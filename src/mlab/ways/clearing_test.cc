@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +30,26 @@ TEST(Clearing, IsFreeWhereThereIsRoom) {
       const geom::Point p{place(random), place(random)};
       EXPECT_EQ(clearing.is_free(p), ground.bounds.contains(p) && room_at(ground, p) >= clearance)
           << round << ": " << p.x << " " << p.y;
+    }
+  }
+}
+
+TEST(Clearing, VisitsEveryDiscNearAPlaceOnce) {
+  std::mt19937_64 random(kClearingSeed + 7);
+  std::uniform_real_distribution<double> place(-30.0, 130.0);
+  std::uniform_real_distribution<double> reach(0.0, 40.0);
+  for (int round = 0; round < 40; ++round) {
+    const Ground ground = any_ground(random, 100.0, 3 * round, round / 4);
+    const Clearing clearing(ground, 0.05 * (round % 7));
+    for (int i = 0; i < 50; ++i) {
+      const geom::Point p{place(random), place(random)};
+      const double far = reach(random);
+      std::vector<int> visits(ground.discs.size(), 0);
+      clearing.visit_discs(p, far, [&](std::uint32_t disc) { ++visits.at(disc); });
+      for (std::size_t disc = 0; disc < visits.size(); ++disc) {
+        const bool is_near = distance(ground.discs[disc].center, p) - ground.discs[disc].radius <= far;
+        EXPECT_TRUE(visits[disc] == 1 || (visits[disc] == 0 && !is_near)) << round << ": disc " << disc;
+      }
     }
   }
 }

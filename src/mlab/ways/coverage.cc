@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "mlab/ways/search_route.h"
 
@@ -47,10 +48,26 @@ void improve(SearchRoute& route, std::size_t most_unseen) {
   for (const double price : {0.05, 0.2}) route.shorten(price, most_unseen);
 }
 
+using Opaque = std::optional<std::vector<geom::Segment>>;
+
+/// What is to be searched, and by whom: as coverage_route takes it.
+struct Task {
+  std::span<const geom::Point> outline;
+  const Ground& ground;
+  double swath;
+  std::optional<geom::Point> from;
+  std::span<const geom::Segment> opaque;
+};
+
+Task task_of(std::span<const geom::Point> outline, const Ground& ground, double swath,
+             std::optional<geom::Point> from, const Opaque& opaque) {
+  return {outline, ground, swath, from, opaque ? std::span(*opaque) : std::span(ground.walls)};
+}
+
 // The area in cells, and which of them can be seen.
 struct Outlook {
-  Outlook(std::span<const geom::Point> outline, const Ground& ground, const Clearances& clearances,
-          double swath, std::optional<geom::Point> from, std::uint64_t most_effort) {
+  Outlook(const Task& task, const Clearances& clearances, std::uint64_t most_effort) {
+    const auto& [outline, ground, swath, from, opaque] = task;
     if (!is_usable(outline, ground, clearances, swath)) {
       told.end = CoverageEnd::kUnusable;
       return;
@@ -64,7 +81,7 @@ struct Outlook {
     }
     planner.emplace(ground, clearances);
     told.clearance = clearances.widest();
-    is_known = grid->enter(outline, ground, *planner, from, most_effort);
+    is_known = grid->enter(outline, ground, opaque, *planner, from, most_effort);
     told.free_area = static_cast<double>(grid->to_search()) * grid->cell_area();
     if (!is_known || grid->to_see() == 0) return;
     told.visible = static_cast<double>(grid->visible()) / static_cast<double>(grid->to_search());
@@ -78,11 +95,10 @@ struct Outlook {
 };
 
 /// At the widest clearance from which about as much can be seen as from the least one.
-std::unique_ptr<Outlook> widest_outlook(std::span<const geom::Point> outline, const Ground& ground,
-                                        const Clearances& clearances, double swath,
-                                        std::optional<geom::Point> from, std::uint64_t most_effort) {
+std::unique_ptr<Outlook> widest_outlook(const Task& task, const Clearances& clearances,
+                                        std::uint64_t most_effort) {
   const auto at = [&](std::size_t number) {
-    return std::make_unique<Outlook>(outline, ground, clearances.bent(number), swath, from, most_effort);
+    return std::make_unique<Outlook>(task, clearances.bent(number), most_effort);
   };
   const std::size_t last = clearances.all().size() - 1;
   auto out = at(0);
@@ -98,14 +114,17 @@ std::unique_ptr<Outlook> widest_outlook(std::span<const geom::Point> outline, co
 
 std::optional<Coverage> coverage_outlook(std::span<const geom::Point> outline, const Ground& ground,
                                          const Clearances& clearances, double swath,
-                                         std::optional<geom::Point> from) {
-  const auto outlook = widest_outlook(outline, ground, clearances, swath, from, kMostOutlookEffort);
+                                         std::optional<geom::Point> from, const Opaque& opaque) {
+  const auto outlook =
+      widest_outlook(task_of(outline, ground, swath, from, opaque), clearances, kMostOutlookEffort);
   return outlook->is_known ? std::optional(outlook->told) : std::nullopt;
 }
 
 Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground,
-                        const Clearances& clearances, double swath, std::optional<geom::Point> from) {
-  const auto outlook = widest_outlook(outline, ground, clearances, swath, from, Planner::kNoLimit);
+                        const Clearances& clearances, double swath, std::optional<geom::Point> from,
+                        const Opaque& opaque) {
+  const auto outlook =
+      widest_outlook(task_of(outline, ground, swath, from, opaque), clearances, Planner::kNoLimit);
   Coverage out = outlook->told;
   if (out.end != CoverageEnd::kPartly) return out;
   SearchGrid& grid = *outlook->grid;

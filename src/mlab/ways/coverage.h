@@ -40,18 +40,19 @@ struct Coverage {
 };
 
 /// A way by which one robot sees all of an area, as far as that can be: it comes within half a swath of every
-/// place. Lanes side by side, to and fro, round what stands there; then what they miss is added where it
-/// costs least, and what sees nothing new is left out. It keeps the widest clearance from which about as much
-/// can be seen as from the least one, and less where no way is so wide: it passes every door that the least
-/// one passes. Places to which no way leads, and places too close to things, can't be seen. Very large areas
-/// with very many things are not looked at to the end: `seen` says it. The way may leave the outline by less
-/// than half a swath, but not the bounds.
+/// place, with no wall in between. Discs hide nothing. Lanes side by side, to and fro, round what stands
+/// there; then what they miss is added where it costs least, and what sees nothing new is left out. It keeps
+/// the widest clearance from which about as much can be seen as from the least one, and less where no way is
+/// so wide: it passes every door that the least one passes. Places to which no way leads, and places too
+/// close to things, can't be seen. Very large areas with very many things are not looked at to the end:
+/// `seen` says it. The way may leave the outline by less than half a swath, but not the bounds.
 ///
 /// @param outline    corners of a polygon, in either sense [m, world]; where it crosses itself, what lies
 /// inside of
 ///                   an even number of rounds is outside
 /// @param clearances  what the robot's centre keeps from everything, as far as there is room
 /// @param swath      how wide a robot sees, half of it to either side [m], > 0
+/// @param opaque     the walls that hide what is behind them; without, all of the ground's
 /// @param from       where the robots are; without, of parts between which no way leads the one counts in
 ///                   which there is most to see [m, world]
 /// @return  the same for the same, whatever was asked before
@@ -62,13 +63,15 @@ struct Coverage {
 ///          robotics, Robotics and Autonomous Systems 61(12), 2013
 Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground,
                         const Clearances& clearances, double swath,
-                        std::optional<geom::Point> from = std::nullopt);
+                        std::optional<geom::Point> from = std::nullopt,
+                        const std::optional<std::vector<geom::Segment>>& opaque = std::nullopt);
 
 /// What of an area could be seen, without looking for a way by which it is: `kPartly` with its size and the
 /// visible share, where there is something to see. Nothing where it would take longer than some tenths of a
 /// second to know.
-std::optional<Coverage> coverage_outlook(std::span<const geom::Point> outline, const Ground& ground,
-                                         const Clearances& clearances, double swath,
-                                         std::optional<geom::Point> from = std::nullopt);
+std::optional<Coverage> coverage_outlook(
+    std::span<const geom::Point> outline, const Ground& ground, const Clearances& clearances, double swath,
+    std::optional<geom::Point> from = std::nullopt,
+    const std::optional<std::vector<geom::Segment>>& opaque = std::nullopt);
 
 }  // namespace mlab::ways

@@ -48,7 +48,8 @@ int SearchGrid::cell_of(double at, int count) {
   return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
 }
 
-bool SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground, BendingPlanner& planner,
+bool SearchGrid::enter(std::span<const geom::Point> outline, const Ground& ground,
+                       std::span<const geom::Segment> opaque, BendingPlanner& planner,
                        std::optional<geom::Point> from, std::uint64_t most_effort) {
   enter_inside(outline);
   const Clearing things(ground, 0.0);
@@ -60,6 +61,7 @@ bool SearchGrid::enter(std::span<const geom::Point> outline, const Ground& groun
     }
   }
   if (to_search_ == 0) return true;
+  sight_ = Sight(lanes_, opaque, 0.5 * swath_);
   if (!enter_parts(planner, from, most_effort)) return false;
   enter_edges(ground, planner.clearing());
   visible_ = static_cast<std::size_t>(std::ranges::count(is_visible_, 1));
@@ -180,9 +182,13 @@ void SearchGrid::enter_edges(const Ground& ground, const Clearing& clearing) {
     for (int column = 0; column < columns_; ++column) {
       const std::size_t cell = index(column, row);
       if (!may_be_at(cell)) continue;
-      if (is_rim(column, row)) look_from(place(column, row));
       can_be_seen_[cell] = is_inside_[cell];
       is_visible_[cell] = is_inside_[cell];
+    }
+  }
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      if (may_be_at(index(column, row)) && is_rim(column, row)) look_from(place(column, row));
     }
   }
   const double outside = 2.0 * Clearing::kTolerance;
@@ -215,12 +221,18 @@ void SearchGrid::enter_edge(geom::Point at, const Clearing& clearing) {
 }
 
 void SearchGrid::look_from(LanePlace at) {
-  each_span(at, at, reach_, [&](std::size_t first, std::size_t last) {
-    for (std::size_t one = first; one <= last; ++one) can_be_seen_[one] = is_inside_[one];
-  });
-  each_span(at, at, 0.5 * swath_, [&](std::size_t first, std::size_t last) {
-    for (std::size_t one = first; one <= last; ++one) is_visible_[one] = is_inside_[one];
-  });
+  // Most of what is near is known by now, and walls are only asked for the rest.
+  const auto look = [&](double reach, auto& known) {
+    each_span(at, at, reach, [&](std::size_t first, std::size_t last) {
+      const auto row = static_cast<int>(first / static_cast<std::size_t>(columns_));
+      for (std::size_t one = first; one <= last; ++one) {
+        if (is_inside_[one] == 0 || known[one] != 0) continue;
+        if (!sight_.hides(place(static_cast<int>(one - index(0, row)), row), at)) known[one] = 1;
+      }
+    });
+  };
+  look(reach_, can_be_seen_);
+  look(0.5 * swath_, is_visible_);
 }
 
 template <class IsFor>
@@ -252,7 +264,8 @@ std::optional<geom::Point> SearchGrid::lookout(int column, int row) const {
   const geom::Point here = middle(column, row);
   std::optional<geom::Point> out;
   const auto offer = [&](geom::Point at) {
-    if (distance(at, here) <= reach_ && (!out || distance(at, here) < distance(*out, here))) out = at;
+    if (distance(at, here) > reach_ || (out && distance(at, here) >= distance(*out, here))) return;
+    if (!sight_.hides(place(column, row), lanes_.to_lanes(at))) out = at;
   };
   const int far_along = margin_columns_ - 1;
   const int far_across = margin_rows_ - 1;
@@ -301,9 +314,24 @@ void SearchGrid::each_span(LanePlace a, LanePlace b, double reach, Visit&& visit
   }
 }
 
+template <class Visit>
+void SearchGrid::each_seen(LanePlace a, LanePlace b, double reach, Visit&& visit) const {
+  each_span(a, b, reach, [&](std::size_t first, std::size_t last) {
+    std::size_t begin = first;  // of a run of cells that are seen
+    const auto row = static_cast<int>(first / static_cast<std::size_t>(columns_));
+    for (std::size_t cell = first; cell <= last && !sight_.is_open(); ++cell) {
+      const auto column = static_cast<int>(cell - index(0, row));
+      if (sight_.sees(place(column, row), a, b, reach)) continue;
+      if (begin < cell) visit(begin, cell - 1);
+      begin = cell + 1;
+    }
+    if (begin <= last) visit(begin, last);
+  });
+}
+
 void SearchGrid::see(geom::Segment piece, int by) {
   int less = 0;
-  each_span(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), reach_,
+  each_seen(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), reach_,
             [&](std::size_t first, std::size_t last) {
               for (std::size_t cell = first; cell <= last; ++cell) {
                 const std::uint16_t before = seen_[cell];

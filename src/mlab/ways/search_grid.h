@@ -10,12 +10,14 @@
 #include "mlab/ways/bending_planner.h"
 #include "mlab/ways/clearing.h"
 #include "mlab/ways/lanes.h"
+#include "mlab/ways/sight.h"
 
 /// For sources of this module only.
 namespace mlab::ways {
 
 /// An area as cells in rows along the lanes: which of them are to be seen, which of them can be, where a
-/// robot may be, and how many pieces of a way see each. Lanes run through the middles of cells.
+/// robot may be, and how many pieces of a way see each. A piece sees a cell where no wall stands between the
+/// cell and the nearest point of the piece, or one of its ends. Lanes run through the middles of cells.
 class SearchGrid {
  public:
   static constexpr std::size_t kMostCells = 1'000'000;
@@ -24,12 +26,14 @@ class SearchGrid {
   static std::optional<SearchGrid> over(const Lanes& lanes, double swath);
 
   /// Enters what is to be seen, where a robot may be, and what it can see from there.
+  /// @param opaque  walls that hide what is behind them
   /// @param from  where it may be is where the planner knows a way to from there; without, in the part of the
   ///              ground in which it sees most [m, world]
   /// @param most_effort  of the planner
   /// @return  false: given up, since that was not enough
-  bool enter(std::span<const geom::Point> outline, const Ground& ground, BendingPlanner& planner,
-             std::optional<geom::Point> from, std::uint64_t most_effort);
+  bool enter(std::span<const geom::Point> outline, const Ground& ground,
+             std::span<const geom::Segment> opaque, BendingPlanner& planner, std::optional<geom::Point> from,
+             std::uint64_t most_effort);
 
   const Lanes& lanes() const { return lanes_; }
   double swath() const { return swath_; }
@@ -63,6 +67,8 @@ class SearchGrid {
   /// A place from which a cell can be seen, if there is one; the nearest of those that are known.
   std::optional<geom::Point> lookout(int column, int row) const;
 
+  /// Whether no wall hides anything.
+  bool sees_all_round() const { return sight_.is_open(); }
   /// Counts what is seen from a straight piece once more, or, with -1, once less.
   void see(geom::Segment piece, int by);
 
@@ -88,8 +94,12 @@ class SearchGrid {
   /// visit(first, last): cells in a row whose middles are within reach of the piece.
   template <class Visit>
   void each_span(LanePlace a, LanePlace b, double reach, Visit&& visit) const;
+  /// The same without what walls hide.
+  template <class Visit>
+  void each_seen(LanePlace a, LanePlace b, double reach, Visit&& visit) const;
 
   Lanes lanes_;
+  Sight sight_;
   double swath_ = 0.0;
   double reach_ = 0.0;  // half a swath, less what cells aren't sure of
   double step_along_ = 0.0;

@@ -253,8 +253,8 @@ SearchRoute::Patch SearchRoute::unseen_round(int column, int row, std::vector<st
   };
   add(column, row);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const int x = static_cast<int>(out[i] % static_cast<std::size_t>(grid_.columns()));
-    const int y = static_cast<int>(out[i] / static_cast<std::size_t>(grid_.columns()));
+    const int x = column_of(out[i]);
+    const int y = row_of(out[i]);
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) add(x + dx, y + dy);
     }
@@ -324,12 +324,9 @@ geom::Point SearchRoute::nearest(geom::Point p) const {
 /// Places from which some of the cells are seen: between their middle and the way as it is, and where it must
 /// be.
 std::vector<geom::Point> SearchRoute::candidates(const Patch& cells) const {
-  const auto columns = static_cast<std::size_t>(grid_.columns());
-  const auto column = [&](std::size_t cell) { return static_cast<int>(cell % columns); };
-  const auto row = [&](std::size_t cell) { return static_cast<int>(cell / columns); };
   const geom::Point origin = grid_.lanes().origin;
   geom::Offset sum;
-  for (const std::size_t cell : cells) sum = sum + (grid_.middle(column(cell), row(cell)) - origin);
+  for (const std::size_t cell : cells) sum = sum + (grid_.middle(column_of(cell), row_of(cell)) - origin);
   const geom::Point center = origin + sum * (1.0 / static_cast<double>(cells.size()));
   const geom::Point from = nearest(center);
   const Clearing& clearing = planner_.clearing();
@@ -339,18 +336,22 @@ std::vector<geom::Point> SearchRoute::candidates(const Patch& cells) const {
     if (at && std::ranges::find(out, *at) == out.end() && grid_.may_be_at(*at, clearing)) out.push_back(*at);
   }
   if (!out.empty()) return out;
-  if (const auto at = grid_.lookout(column(cells.front()), row(cells.front()))) out.push_back(*at);
+  if (const auto at = grid_.lookout(column_of(cells.front()), row_of(cells.front()))) out.push_back(*at);
   return out;
 }
 
 std::optional<SearchRoute::Detour> SearchRoute::best_detour(const Patch& cells) {
   std::optional<Detour> best;
-  for (const geom::Point at : candidates(cells)) {
+  const auto offer = [&](geom::Point at) {
     auto one = detour(at);
-    if (!one) continue;
+    if (!one) return;
     count_gain(*one);
     if (one->gain > 0 && (!best || one->worth() > best->worth())) best = std::move(one);
-  }
+  };
+  for (const geom::Point at : candidates(cells)) offer(at);
+  if (best || grid_.sees_all_round()) return best;
+  // All of those were behind walls.
+  if (const auto at = grid_.lookout(column_of(cells.front()), row_of(cells.front()))) offer(*at);
   return best;
 }
 

@@ -74,6 +74,12 @@ class SearchRoute {
     double worth() const { return static_cast<double>(gain) / (std::max(extra, 0.0) + 1e-3); }
   };
 
+  int column_of(std::size_t cell) const {
+    return static_cast<int>(cell % static_cast<std::size_t>(grid_.columns()));
+  }
+  int row_of(std::size_t cell) const {
+    return static_cast<int>(cell / static_cast<std::size_t>(grid_.columns()));
+  }
   std::optional<Leg> leg(geom::Point a, geom::Point b);
   void see(const Leg& leg, int by);
   void see_only_stop(int by);

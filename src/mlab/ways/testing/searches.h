@@ -23,7 +23,8 @@ inline bool is_inside(std::span<const geom::Point> outline, geom::Point p) {
   return out;
 }
 
-/// What a way really sees, told by looking at places close together on a square [0, side].
+/// What a way really sees, told by looking at places close together on a square [0, side]: those that are
+/// near enough to some place on it, with no wall in between.
 class SeenPlaces {
  public:
   SeenPlaces(std::span<const geom::Point> outline, const Ground& ground, double clearance, double swath,
@@ -47,9 +48,9 @@ class SeenPlaces {
     look_from(largest_part(part));
   }
 
-  /// All that is within half a swath of a piece of a way.
+  /// All that is seen from a piece of a way.
   void pass(geom::Segment piece) {
-    each_near(piece, [&](std::size_t i) { is_seen_[i] = true; });
+    each_seen(piece, is_seen_, [&](std::size_t i) { is_seen_[i] = true; });
   }
   double free_area() const {
     return static_cast<double>(std::ranges::count(is_wanted_, true)) * step_ * step_;
@@ -94,6 +95,33 @@ class SeenPlaces {
     }
   }
 
+  /// The same without what walls hide, and what is known already.
+  template <class Visit>
+  void each_seen(geom::Segment piece, const std::vector<bool>& is_known, Visit&& visit) {
+    const double reach = 0.5 * swath_;
+    std::vector<geom::Segment> walls;
+    const geom::Point middle = piece.a + (piece.b - piece.a) * 0.5;
+    for (const geom::Segment& wall : ground_.walls) {
+      if (distance(nearest_point(wall, middle), middle) <= reach + 0.5 * distance(piece.a, piece.b))
+        walls.push_back(wall);
+    }
+    const auto is_hidden = [&](geom::Point p, geom::Point from) {
+      return std::ranges::any_of(walls,
+                                 [&](const geom::Segment& wall) { return intersects({p, from}, wall); });
+    };
+    const int samples = 1 + static_cast<int>(distance(piece.a, piece.b) / (0.05 * swath_));
+    each_near(piece, [&](std::size_t i) {
+      if (is_known[i]) return;
+      const geom::Point p = place(i);
+      bool is_seen = !is_hidden(p, nearest_point(piece, p));
+      for (int k = 0; k <= samples && !is_seen; ++k) {
+        const geom::Point from = piece.a + (piece.b - piece.a) * (1.0 * k / samples);
+        is_seen = distance(from, p) <= reach && !is_hidden(p, from);
+      }
+      if (is_seen) visit(i);
+    });
+  }
+
   /// Of the free places that hang together, those with the most places to be seen among them.
   std::vector<bool> largest_part(std::vector<int>& part) const {
     int best = 0;
@@ -130,7 +158,7 @@ class SeenPlaces {
   /// From all places where a robot may be, and from those beside them that touch a disc that has grown.
   void look_from(const std::vector<bool>& is_robots) {
     const auto look = [&](geom::Point p) {
-      each_near({p, p}, [&](std::size_t i) {
+      each_seen({p, p}, is_visible_, [&](std::size_t i) {
         if (is_wanted_[i]) is_visible_[i] = true;
       });
     };
