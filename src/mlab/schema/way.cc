@@ -345,8 +345,9 @@ std::string trap_text(geom::Point here, bool stands, double seconds) {
 
 PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& way, geom::Vector station,
                         const std::function<double()>& in_file, double at, geom::Point here, double away) {
-  constexpr double kStep = 2.0;   // [m]
-  constexpr double kHalf = 10.0;  // of the piece of the way that says where it leads [m]
+  constexpr double kStep = 2.0;         // [m]
+  constexpr double kHalf = 10.0;        // of the piece of the way that says where it leads [m]
+  constexpr int kMostPlaces = 100'000;  // that are looked at: a way may come from anybody, and say any length
   const auto points = way.points();
   if (points.empty()) return {here, at};
   const double length = way_length(way);
@@ -369,7 +370,7 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
   if (ground.revision == 0 || way.count < 2) return {place_at(std::min(at, end)), std::min(at, end)};
   const auto site = sites().at(ground, way.clearance);
   const ways::Clearing& clearing = site->clearing();
-  for (int step = 0; at + kStep * step < end; ++step) {
+  for (int step = 0; step < kMostPlaces && at + kStep * step < end; ++step) {
     const double there = at + kStep * step;
     const geom::Point place = place_at(there);
     if (distance(place, here) >= away && clearing.is_free(place)) return {place, there};

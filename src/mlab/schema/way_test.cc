@@ -160,6 +160,18 @@ ways::PlannedWay way_along(const std::vector<Point>& corners) {
   return out;
 }
 
+TEST(PlaceOnWay, EndsAlsoWhereAWayLiesAboutItsLength) {
+  const Known known = with_disc();
+  auto way = way_along({{40.0, 50.0}, {50.0, 50.0}});  // all of it where nobody can be
+  way.clearance = 5.0;
+  way.length = 1e300;
+  const auto none = [] { return 0.0; };
+  for (const double at : {0.0, -1e300}) {
+    const Point place = place_on_way(known.ground(), way, {}, none, at, {50.0, 50.0}, 1e300).place;
+    EXPECT_TRUE(is_finite(place)) << at;
+  }
+}
+
 TEST(PlaceOnWay, IsTheGoalItselfWhereTheWayLeadsThere) {
   const Known known = with_disc();
   const Point goal{62.0, 50.0};  // 2 m from the disc, less than the way keeps elsewhere
