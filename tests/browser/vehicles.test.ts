@@ -40,6 +40,14 @@ test("a vehicle is marked as real, is told of before it starts, and after", asyn
   await console.reaches("Running");
   await vehicle.getByText("this run", { exact: true }).waitFor();
   await vehicle.getByText("Ready", { exact: true }).waitFor();
+  // Beside its mark and what it follows, a name is read whole.
+  for (const width of [390, 1920]) {
+    await console.page.setViewportSize({ width, height: 1080 });
+    const names = (await console.panel("Robots")).locator(".swatch + .ellipsis");
+    await names.first().waitFor();
+    expect(await names.evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth).length)).toBe(0);
+  }
+  await console.panel("Selection");
   await console.stop.click();
   await vehicle.getByText("Emergency stop", { exact: true }).waitFor();
   await console.button("Release the stop").first().click();

@@ -83,7 +83,7 @@ TEST_F(CheckedVehicles, DriveOnlyWithAChecklistThatSomebodySigned) {
     ends_with(
         start(), "exit status 1",
         "the mission moves the vehicle `veh-1`, and there is no signed pre-flight checklist that holds: "
-        "none was signed for it");
+        "nobody has signed one for this mission yet");
     ends_with(preflight({"--sign", "Ada"}), "exit status 2", "--sign asks a person at a terminal");
     EXPECT_EQ(first.output().find("a run drives it"), std::string::npos) << first.output();
     ends_with(preflight({"--sign", "Ada", "--yes"}), "exit status 0", "");

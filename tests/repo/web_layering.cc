@@ -117,7 +117,7 @@ const WebArrows& web_arrows() {
       {"console/world", {"console/map_editing"}},
       {"console/measuring", {"core/map/tools", "console/session"}},
       {"console/preflight", {"console/session"}},
-      {"console/mission", {"console/preflight"}},
+      {"console/mission", {"console/preflight", "console/vehicles"}},
       {"console/vehicles", {"console/session"}},
       {"console/robots", {"console/mission", "console/vehicles"}},
       {"console/failsafes", {"console/session"}},

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -120,6 +121,10 @@ TEST_F(MavlinkPeer, IsArmedDrivenStoppedAndLeftToWhoTakesIt) {
       EXPECT_NEAR(scan.distances[i], 2.5, 1e-6);
     }
   }
+  const auto checks = device->checks(fast_now());
+  const auto firmware = std::ranges::find(checks, "firmware", &vehicle::Check::name);
+  ASSERT_NE(firmware, checks.end());
+  EXPECT_EQ(firmware->is, "is ArduPilot 4.5.7, revision 9c2f1e4a");
   ASSERT_TRUE(device->place(fast_now()));
   EXPECT_NEAR(device->place(fast_now())->latitude, 49.0 * std::numbers::pi / 180.0, 1e-9);
 

@@ -22,6 +22,10 @@ class MavlinkRoverRig final : public LineRig {
     static_cast<MavlinkRoverModel&>(vehicle()).take_by_pilot(0.5);
     return true;
   }
+  bool take_to_stand() override {
+    static_cast<MavlinkRoverModel&>(vehicle()).hold_by_pilot();
+    return true;
+  }
 };
 
 std::unique_ptr<Rig> make_mavlink_rover_rig(std::uint64_t seed, TestLine::Kind kind) {

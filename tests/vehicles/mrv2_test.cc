@@ -8,6 +8,25 @@
 namespace mlab::vehicle {
 namespace {
 
+using model_vehicles::Mrv2Model;
+
+/// With somebody beside it.
+class Mrv2Rig final : public LineRig {
+ public:
+  Mrv2Rig(std::uint64_t seed, const Facts& facts, std::unique_ptr<Mrv2Model> vehicle)
+      : LineRig(seed, facts, std::move(vehicle),
+                [](std::unique_ptr<Stream> stream) { return make_mrv2_over(std::move(stream)); }) {}
+
+  bool take_to_stand() override {
+    model().press_stop(true);
+    return true;
+  }
+  void give_back() override { model().press_stop(false); }
+
+ private:
+  Mrv2Model& model() { return static_cast<Mrv2Model&>(vehicle()); }
+};
+
 std::unique_ptr<Rig> make_mrv2_rig(std::uint64_t seed) {
   model_vehicles::Mrv2Spec spec;
   spec.encoder_noise = 0.0;  // else nobody could say what is right
@@ -17,9 +36,7 @@ std::unique_ptr<Rig> make_mrv2_rig(std::uint64_t seed) {
                     .has_ranges = true,
                     .has_battery = true,
                     .refuses_late_commands = true};
-  return std::make_unique<LineRig>(
-      seed, facts, std::make_unique<model_vehicles::Mrv2Model>(overlay::Overlay{}, spec),
-      [](std::unique_ptr<Stream> stream) { return make_mrv2_over(std::move(stream)); });
+  return std::make_unique<Mrv2Rig>(seed, facts, std::make_unique<Mrv2Model>(overlay::Overlay{}, spec));
 }
 
 INSTANTIATE_TEST_SUITE_P(Mrv2, Conformance, testing::Values(RigKind{"Mrv2", make_mrv2_rig}), kind_name);

@@ -89,6 +89,12 @@ const commands = {
     intervals.set(message._param1, message._param2 / 1e6);
     return 0;
   },
+  512: (message) => {
+    if (message._param1 !== common.AutopilotVersion.MSG_ID) return 3;
+    const flightCustomVersion = [...Buffer.from("9c2f1e4a")];
+    send(common.AutopilotVersion, { capabilities: 0n, uid: 0n, flightSwVersion: 0x040507ff, middlewareSwVersion: 0, osSwVersion: 0, boardVersion: 0, vendorId: 0, productId: 0, flightCustomVersion, middlewareCustomVersion: Array(8).fill(0), osCustomVersion: Array(8).fill(0), uid2: Array(18).fill(0) });
+    return 0;
+  },
 };
 
 function answerParameter(name) {

@@ -26,6 +26,7 @@ namespace {
 
 constexpr std::chrono::seconds kFindingPatience(5);          // for a member that a mission names
 constexpr std::chrono::milliseconds kHearingPatience(5000);  // for a vehicle to say where it is
+constexpr std::chrono::milliseconds kWonders(500);           // then somebody is told what is waited for
 
 /// The vehicles of a fleet, as runs in this process know them.
 class FleetVehicles {
@@ -41,7 +42,11 @@ class FleetVehicles {
         return one.said.name() == host && one.state == agents::Member::State::kThere;
       });
     };
-    roster_->wait(is_there, all_found_);
+    const auto wonders = std::min(all_found_, agents::Clock::now() + kWonders);
+    if (!roster_->wait(is_there, wonders) && wonders < all_found_) {
+      say(fmt::format("waiting for `{}` to join the fleet", host));
+      roster_->wait(is_there, all_found_);
+    }
     const auto member = roster_->find(host);
     return member && member->said.has_vehicle();
   }
@@ -55,15 +60,18 @@ class FleetVehicles {
     for (const std::string& name : names) {
       if (!has(name)) continue;
       const wire::OfferedVehicle said = roster_->find(name)->said.vehicle();
+      // Where they can't be, its robot says so when it is started.
       const auto limits = vehicle::limits_of(said);
-      if (!limits) continue;
-      auto line = vehicles::open_line(roster_, name, kHearingPatience);
+      auto line = vehicles::open_line(
+          roster_, name, kHearingPatience,
+          {kWonders, [&] { say(fmt::format("waiting for the vehicle `{}` to say where it is", name)); }});
       // Whose robot is started then hears that its vehicle was not found.
       if (!line) continue;
       const bool is_real = !said.is_simulated();
       has_real = has_real || is_real;
       if (is_real) *line = preflight::gated(name, std::move(*line), permit);
-      crewed.push_back({name, *limits, std::move(*line), said.kind()});
+      crewed.push_back({name, limits.value_or(vehicle::Limits()), std::move(*line), said.kind(),
+                        limits ? "" : limits.error()});
     }
     if (has_real)
       facts_->expect(names);
@@ -77,6 +85,9 @@ class FleetVehicles {
   }
 
  private:
+  // The run that could tell it in its log is only being made.
+  static void say(const std::string& what) { fmt::print(stderr, "mlab: {}\n", what); }
+
   std::shared_ptr<agents::Roster> roster_;
   std::shared_ptr<vehicles::FleetFacts> facts_;
   std::shared_ptr<preflight::Gate> gate_;
@@ -95,6 +106,7 @@ std::shared_ptr<preflight::Gate> make_gate(const std::shared_ptr<vehicles::Fleet
       .fleet = fleet,
       .version = kVersion,
       .look = [facts](const std::vector<std::string>& names) { return facts->look(names); },
+      .glance = [facts](const std::vector<std::string>& names) { return facts->glance(names); },
       .wall_clock = [] { return wall_clock().epoch_seconds; },
       .store = preflight::Store(folder.empty() ? "" : folder + "/preflight"),
       .how = fmt::format("mlab preflight {} --fleet {}{} --sign \"YOUR NAME\"",

@@ -81,6 +81,7 @@ enum class State : std::uint8_t {
 inline constexpr std::uint16_t kDoSetMode = 176;
 inline constexpr std::uint16_t kArmDisarm = 400;
 inline constexpr std::uint16_t kSetMessageInterval = 511;
+inline constexpr std::uint16_t kRequestMessage = 512;
 /// Second parameter of `kArmDisarm`: also while it moves.
 inline constexpr float kForced = 21196.0F;
 

@@ -14,8 +14,11 @@ constexpr milliseconds kBetweenSetPoints{80};
 constexpr milliseconds kBetweenRequests{400};
 constexpr milliseconds kBetweenStops{200};
 constexpr milliseconds kAfterRefusal{2000};
-// So long after HOLD was sent, what shows it may be that, and nobody else's doing.
+// So long after HOLD was sent, what shows it may be that, and nobody else's doing; where nothing tells
+// better.
 constexpr milliseconds kHoldIsOurs{4000};
+// Answers and heartbeats are not on their way for longer.
+constexpr milliseconds kShowsWithin{1000};
 // A `stop` after such a pause is a new one.
 constexpr milliseconds kSameStop{1000};
 // After a silence set-points say so long that it is to stand.
@@ -69,7 +72,7 @@ void Control::stop(bool is_emergency, Time now) {
 void Control::begin_stopping(Time now) {
   stopping_since_ = now;
   has_stopped_ = false;
-  is_engaged_ = false;
+  is_engaged_ = has_granted_ = false;
   refusal_.clear();
   hold_.sent = disarm_.sent = 0;
   hold_.not_before.reset();
@@ -79,6 +82,7 @@ void Control::begin_stopping(Time now) {
 void Control::engage() {
   is_reclaimed_ = !taken_.empty();
   taken_.clear();
+  has_it_armed_ = false;
   refusal_.clear();
 }
 
@@ -86,14 +90,38 @@ void Control::let_go(Time now) {
   // What it was told last may still be on its way.
   if (is_engaged_) stand_until_ = now + kStandAfterSilence;
   let_go_at_ = now;
-  is_engaged_ = false;
+  is_engaged_ = has_granted_ = has_it_armed_ = false;
   if (wish_ == Wish::kDrive) wish_ = Wish::kNone;
   taken_.clear();
   is_reclaimed_ = false;
   refusal_.clear();
 }
 
+// Each is answered, in order; the answer does not say which mode it is about.
+void Control::note_asking(const Request& request, Time now) {
+  if (request.command != kDoSetMode) return;
+  if (mode_asked_at_ && now - *mode_asked_at_ > kShowsWithin) unanswered_ = 0;  // the others got lost
+  mode_asked_at_ = now;
+  ++unanswered_;
+  has_granted_ = false;
+  is_guided_asked_ = &request == &guided_;
+  if (&request != &hold_) return;
+  held_at_ = now;
+  is_hold_seen_ = false;
+}
+
+void Control::note_answer(const CommandAck& message, Time now) {
+  if (message.command != kDoSetMode || unanswered_ == 0 || --unanswered_ > 0) return;
+  answered_at_ = now;
+  has_granted_ = is_guided_asked_ && static_cast<Result>(message.result) == Result::kAccepted;
+}
+
+bool Control::is_answered(const Heard& heard) const {
+  return unanswered_ == 0 && answered_at_ && heard.at > *answered_at_;
+}
+
 void Control::take(const CommandAck& message, Time now) {
+  note_answer(message, now);
   for (Request* const one : {&guided_, &hold_, &arm_, &disarm_}) {
     if (one->command != message.command || one->sent == 0) continue;
     const auto result = static_cast<Result>(message.result);
@@ -119,6 +147,8 @@ void Control::ask(Request& request, const Heard& heard, Line& line, Time now) {
   message.params[1] = request.second;
   message.confirmation = request.sent;
   if (request.sent < 255) ++request.sent;
+  note_asking(request, now);
+  if (&request == &disarm_) has_it_armed_ = false;
   line.send_to(heard.system, message, now);
 }
 
@@ -136,12 +166,28 @@ void Control::send_set_point(const vehicle::Command& command, const Heard& heard
   line.send_to(heard.system, message, now);
 }
 
+bool Control::may_be_our_hold(const Heard& heard, Time now) {
+  if (!held_at_) return false;
+  is_hold_seen_ = is_hold_seen_ || (heard.mode == Mode::kHold && heard.at > *held_at_);
+  const auto since = now - *held_at_;
+  // GUIDED came behind it.
+  const bool is_over =
+      heard.mode == Mode::kGuided && (is_answered(heard) || (is_hold_seen_ && since > kShowsWithin));
+  if (is_over || since >= kHoldIsOurs) held_at_.reset();
+  return held_at_.has_value();
+}
+
 void Control::notice_taking(const Heard& heard, Time now) {
-  if (!is_engaged_ || (heard.mode == Mode::kGuided && heard.is_armed)) return;
-  is_engaged_ = false;
-  const bool is_ours = held_at_ && now - *held_at_ < kHoldIsOurs;
+  const bool is_ours = may_be_our_hold(heard, now);
+  const bool is_in_guided = heard.mode == Mode::kGuided;
+  // It has said that it takes GUIDED, and is in another mode since.
+  const bool is_changed = has_granted_ && is_answered(heard) && heard.is_armed && !is_in_guided;
+  const bool is_disarmed = has_it_armed_ && !heard.is_armed;
+  if (!is_changed && !is_disarmed && (!is_engaged_ || is_in_guided)) return;
+  is_engaged_ = has_granted_ = false;
   const bool is_failsafes = let_go_at_ && now - *let_go_at_ < kFailsafeFollows;
-  if (heard.mode == Mode::kHold && heard.is_armed && (is_ours || is_failsafes)) return;
+  if (heard.mode == Mode::kHold && heard.is_armed && ((is_ours && !is_changed) || is_failsafes)) return;
+  has_it_armed_ = false;
   if (!heard.is_armed)
     taken_ = "was disarmed by itself or by somebody else; Replace in the console has it armed again";
   else
@@ -177,7 +223,7 @@ void Control::work_drive(const Heard& heard, Line& line, Time now) {
   } else if (!heard.is_armed) {
     ask(arm_, heard, line, now);
   } else {
-    is_engaged_ = true;
+    is_engaged_ = has_it_armed_ = true;
     is_reclaimed_ = false;
     refusal_.clear();
     send_set_point(command_, heard, line, now);
@@ -199,7 +245,6 @@ void Control::work_stop(const Heard& heard, const vehicle::Motion* motion, Line&
   }
   send_set_point({}, heard, line, now);
   ask(hold_, heard, line, now);
-  held_at_ = now;
   const bool runs_away = motion != nullptr && moves(*motion, kRunsAwayFrom);
   if (runs_away && heard.is_armed && now - stopping_since_ >= kHardStopAfter) ask(disarm_, heard, line, now);
 }

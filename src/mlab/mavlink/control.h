@@ -30,10 +30,11 @@ struct Heard {
 /// Brings a rover into GUIDED mode and arms it, streams set-points, stops it; and keeps its hands off where
 /// somebody else has taken it.
 ///
-/// Whoever changes its mode or disarms it while it is driven has taken it: its own failsafes, a pilot,
-/// another ground station. It is not fought about: nothing is sent until `engage` and then `drive` are
-/// called, but for an emergency. A pilot who steers an armed rover by hand keeps it also then, but for an
-/// emergency.
+/// Whoever changes its mode while it is driven, or disarms what this has armed, has taken it: its own
+/// failsafes, a pilot, another ground station. What we asked for ourselves is nobody's: a mode that shows is
+/// ours as long as not all that was asked for is answered, or not yet seen. It is not fought about: nothing
+/// is sent until `engage` and then `drive` are called, but for an emergency. A pilot who steers an armed
+/// rover by hand keeps it also then, but for an emergency.
 class Control {
  public:
   using Time = vehicle::Clock::time_point;
@@ -78,6 +79,11 @@ class Control {
   void work_stop(const Heard& heard, const vehicle::Motion* motion, Line& line, Time now);
   void ask(Request& request, const Heard& heard, Line& line, Time now);
   void send_set_point(const vehicle::Command& command, const Heard& heard, Line& line, Time now);
+  void note_asking(const Request& request, Time now);
+  void note_answer(const CommandAck& message, Time now);
+  /// All modes that were asked for are answered, and it has told its mode since.
+  bool is_answered(const Heard& heard) const;
+  bool may_be_our_hold(const Heard& heard, Time now);
   void notice_taking(const Heard& heard, Time now);
   void begin_stopping(Time now);
 
@@ -90,7 +96,14 @@ class Control {
   bool is_emergency_ = false;  // what it is to stop for
   bool has_stopped_ = false;
   bool is_engaged_ = false;
-  std::optional<Time> held_at_;
+  bool has_it_armed_ = false;          // it was engaged, and nothing of ours has disarmed it since
+  std::optional<Time> held_at_;        // when HOLD was asked for last, and may show itself yet
+  bool is_hold_seen_ = false;          // since then
+  std::optional<Time> mode_asked_at_;  // last
+  bool is_guided_asked_ = false;       // it was GUIDED
+  int unanswered_ = 0;                 // modes that were asked for
+  std::optional<Time> answered_at_;    // the last of them
+  bool has_granted_ = false;           // the last answer: GUIDED, which was asked for last, is accepted
   std::optional<Time> stand_until_;
   std::optional<Time> let_go_at_;
   std::string taken_;

@@ -175,6 +175,22 @@ struct BatteryStatus {
   std::int8_t battery_remaining = 0;  ///< [%]; -1: not known
 };
 
+struct AutopilotVersion {
+  static constexpr MessageInfo kInfo{148, 178, "AUTOPILOT_VERSION"};
+  std::uint64_t capabilities = 0;
+  std::uint64_t uid = 0;
+  std::uint32_t flight_sw_version = 0;  ///< major, minor, patch and kind, a byte each, the highest first
+  std::uint32_t middleware_sw_version = 0;
+  std::uint32_t os_sw_version = 0;
+  std::uint32_t board_version = 0;
+  std::uint16_t vendor_id = 0;
+  std::uint16_t product_id = 0;
+  std::array<char, 8> flight_custom_version{};  ///< of ArduPilot: the begin of the revision's number
+  std::array<std::uint8_t, 8> middleware_custom_version{};
+  std::array<std::uint8_t, 8> os_custom_version{};
+  std::array<std::uint8_t, 18> uid2{};
+};
+
 struct StatusText {
   static constexpr MessageInfo kInfo{253, 83, "STATUSTEXT"};
   std::uint8_t severity = 0;  ///< 0 emergency .. 7 debug
@@ -201,7 +217,7 @@ struct ObstacleDistance {
 using Messages =
     std::tuple<Heartbeat, SysStatus, ParamRequestRead, ParamValue, ParamSet, Attitude, LocalPositionNed,
                GlobalPositionInt, CommandLong, CommandAck, SetPositionTargetLocalNed, DistanceSensor,
-               BatteryStatus, StatusText, ObstacleDistance>;
+               BatteryStatus, AutopilotVersion, StatusText, ObstacleDistance>;
 
 /// What tells each of them apart.
 inline constexpr auto kInfos = []<class... One>(std::type_identity<std::tuple<One...>>) {

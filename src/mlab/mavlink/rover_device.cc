@@ -112,6 +112,7 @@ void RoverDevice::lose(Time now) {
   control_.let_go(now);
   readings_.forget();
   parameters_.begin_anew();
+  firmware_.begin_anew();
   streams_seen_.assign(kStreams.size(), std::nullopt);
   streams_asked_.assign(kStreams.size(), std::nullopt);
 }
@@ -139,6 +140,7 @@ void RoverDevice::take(const Frame& frame, Time now) {
   if (frame.is<DistanceSensor>()) readings_.take(frame.as<DistanceSensor>(), now);
   if (frame.is<ObstacleDistance>()) readings_.take(frame.as<ObstacleDistance>(), now);
   if (frame.is<ParamValue>()) parameters_.take(frame.as<ParamValue>(), now);
+  if (frame.is<AutopilotVersion>()) firmware_.take(frame.as<AutopilotVersion>());
   if (frame.is<CommandAck>()) take_answer(frame.as<CommandAck>(), now);
   if (frame.is<StatusText>()) take_text(frame.as<StatusText>(), now);
   if (frame.is<SysStatus>()) {
@@ -167,7 +169,9 @@ void RoverDevice::take_heartbeat(const Frame& frame, Time now) {
 
 void RoverDevice::take_answer(const CommandAck& message, Time now) {
   // Others ask, too.
-  if (message.target_system == 0 || message.target_system == settings_.self) control_.take(message, now);
+  if (message.target_system != 0 && message.target_system != settings_.self) return;
+  control_.take(message, now);
+  firmware_.take(message);
 }
 
 void RoverDevice::take_text(const StatusText& message, Time now) {
@@ -197,6 +201,7 @@ void RoverDevice::begin_anew(Time now) {
   notice(now, 4, "has begun again: its clock runs from the start");
   readings_.begin_anew();
   parameters_.begin_anew();
+  firmware_.begin_anew();
   control_.let_go(now);
   fails_checks_ = false;
   check_text_.clear();
@@ -236,6 +241,13 @@ void RoverDevice::ask(Time now) {
   if (const auto name = parameters_.to_ask(now)) {
     ParamRequestRead message;
     message.param_id = field_of<16>(*name);
+    line_.send_to(heard_->system, message, now);
+    return;
+  }
+  if (firmware_.is_to_be_asked(now)) {
+    CommandLong message;
+    message.command = kRequestMessage;
+    message.params[0] = static_cast<float>(AutopilotVersion::kInfo.id);
     line_.send_to(heard_->system, message, now);
     return;
   }
@@ -337,7 +349,7 @@ std::vector<vehicle::Check> RoverDevice::checks(Time now) {
                    fmt::format("is in mode {}, {}", name_of(heard_->mode),
                                heard_->is_armed ? "and armed" : "not armed"),
                    ""});
-  out.push_back({"firmware", kUnknown, "is not asked for its version", ""});
+  out.push_back(firmware_.check());
   out.push_back({"signing", settings_.key ? kPass : kWarn,
                  settings_.key ? "all is signed, and nothing else is taken"
                                : "nothing is signed: who reaches its link can drive it",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mlab/mavlink/control.h"
+#include "mlab/mavlink/firmware.h"
 #include "mlab/mavlink/line.h"
 #include "mlab/mavlink/parameters.h"
 #include "mlab/mavlink/readings.h"
@@ -103,6 +104,7 @@ class RoverDevice final : public vehicle::Device {
   std::string name_;
   Line line_;
   Parameters parameters_;
+  Firmware firmware_;
   Readings readings_;
   Control control_;
   std::optional<Heard> heard_;

@@ -108,6 +108,7 @@ struct MavlinkRoverModel::Parts {
   void stream(double dt);
   mavlink::Heartbeat heartbeat() const;
   mavlink::SysStatus status() const;
+  static mavlink::AutopilotVersion version();
   mavlink::LocalPositionNed local_position(std::uint32_t boot_ms) const;
   mavlink::GlobalPositionInt global_position(std::uint32_t boot_ms) const;
   mavlink::ObstacleDistance distances(std::uint32_t boot_ms);
@@ -191,6 +192,10 @@ Result MavlinkRoverModel::Parts::obey(const mavlink::CommandLong& message) {
       if (p[0] == static_cast<float>(mavlink::DistanceSensor::kInfo.id)) return Result::kUnsupported;
       every[static_cast<std::uint32_t>(p[0])] = static_cast<double>(p[1]) / 1e6;
       return Result::kAccepted;
+    case mavlink::kRequestMessage:
+      if (p[0] != static_cast<float>(mavlink::AutopilotVersion::kInfo.id)) return Result::kUnsupported;
+      say(version());
+      return Result::kAccepted;
     case mavlink::kDoSetMode:
       enter(static_cast<Mode>(p[1]));
       return Result::kAccepted;
@@ -249,6 +254,12 @@ mavlink::SysStatus MavlinkRoverModel::Parts::status() const {
   out.sensors_present = out.sensors_enabled = out.sensors_health = mavlink::kPreArmBit;
   out.voltage_battery = kRoverVoltage;
   out.battery_remaining = static_cast<std::int8_t>(std::max(0.0, 100.0 * (1.0 - worked / kRoverLasts)));
+  return out;
+}
+
+mavlink::AutopilotVersion MavlinkRoverModel::Parts::version() {
+  mavlink::AutopilotVersion out;
+  out.flight_sw_version = 0x040507ff;
   return out;
 }
 
@@ -348,6 +359,10 @@ ModelVehicle::Truth MavlinkRoverModel::truth() const {
 void MavlinkRoverModel::take_by_pilot(double speed) {
   parts_->enter(Mode::kManual);
   parts_->pilots_speed = speed;
+}
+
+void MavlinkRoverModel::hold_by_pilot() {
+  parts_->enter(Mode::kHold);
 }
 
 }  // namespace mlab::model_vehicles

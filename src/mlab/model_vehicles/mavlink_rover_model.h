@@ -35,6 +35,8 @@ class MavlinkRoverModel final : public ModelVehicle {
   Truth truth() const override;
   /// A pilot puts it into MANUAL, and has it go on at that speed until its mode is another one [m/s].
   void take_by_pilot(double speed);
+  /// A pilot puts it into HOLD.
+  void hold_by_pilot();
 
  private:
   struct Parts;

@@ -159,6 +159,41 @@ TEST(Checklist, SaysWhatTheVehicleSaysOfItself) {
   EXPECT_EQ(item(list, "veh-1/reports").result, kFail);
 }
 
+TEST(Checklist, SaysWhichOfItsLimitsCanNotBe) {
+  const Checklist list = with([](VehicleFacts& one) {
+    one.limits.reset();
+    one.limits_refusal = "its max_speed is -1, expected 0 to 1000";
+  });
+  EXPECT_EQ(item(list, "veh-1/limits").result, kFail);
+  EXPECT_EQ(item(list, "veh-1/limits").is,
+            "says limits that can't be: its max_speed is -1, expected 0 to 1000");
+}
+
+TEST(Checklist, IsOfVehiclesWhoseStateIsToldAlsoWithoutIt) {
+  using Told = binding::VehicleState;
+  VehicleFacts one = testing::well("veh-1", {8.0, 12.0});
+  one.report->readiness = vehicle::Readiness::kStandby;
+  one.report->why = "is not armed";
+  one.report->battery->at -= std::chrono::seconds(2);
+  one.report_age = 0.5;
+  one.is_driven = true;
+  const auto told = state_of(one);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->name, "veh-1");
+  EXPECT_EQ(told->kind, "rover at udp:14550");
+  EXPECT_EQ(told->readiness, Told::Readiness::kStandby);
+  EXPECT_EQ(told->why, "is not armed");
+  EXPECT_EQ(told->driver, Told::Driver::kAnotherRun);
+  EXPECT_EQ(told->age, 0.5);
+  EXPECT_EQ(told->battery->share, 0.9);
+  EXPECT_NEAR(told->battery->age, 2.5, 1e-9);
+  EXPECT_NEAR(*told->motion_age, 0.5, 1e-9);
+  ASSERT_EQ(told->sensors.size(), 1U);
+  EXPECT_EQ(told->sensors[0].beams, 2U);
+  one.is_there = false;
+  EXPECT_FALSE(state_of(one));
+}
+
 TEST(Checklist, WarnsOfSensorsThatTellNothing) {
   const Checklist list = with([](VehicleFacts& one) {
     one.report->scans[0].distances.assign(8, std::numeric_limits<float>::quiet_NaN());
@@ -186,6 +221,24 @@ TEST(ChecklistText, FitsInto80Columns) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("                             expected: 255: it has to count"), std::string::npos)
+      << text;
+}
+
+TEST(ChecklistText, HasWhatHasToBeLookedAtFirst) {
+  const std::string text = text_of(with([](VehicleFacts& one) {
+    one.version = "0.9";
+    one.link->round_trip = 1.0;
+    one.report->battery->share = 0.1;
+    one.checks.reset();
+  }));
+  const std::size_t begin = text.find("The vehicle veh-1");
+  std::vector<std::string> names;
+  std::istringstream lines(text.substr(begin, text.find("The vehicle veh-2") - begin));
+  for (std::string line; std::getline(lines, line) && names.size() < 6;) {
+    if (line.starts_with("  ") && line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 10) - 2));
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"FAIL    link", "FAIL    battery", "warn    version",
+                                             "unknown its", "pass    presence", "pass    limits"}))
       << text;
 }
 

@@ -1,5 +1,7 @@
 #include "mlab/preflight/gate.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/core.h>
@@ -84,6 +86,27 @@ std::shared_ptr<Permit> Gate::new_permit() {
   permit_ = std::make_shared<Permit>();
   passed_ = {};
   return permit_;
+}
+
+std::vector<VehicleFacts> Gate::held_back(const std::vector<std::string>& names) const {
+  std::shared_ptr<const Permit> permit;
+  {
+    const std::scoped_lock lock(mutex_);
+    permit = permit_;
+  }
+  if (!permit || !parts_.glance) return {};
+  std::vector<std::string> held;
+  std::ranges::copy_if(names, std::back_inserter(held),
+                       [&](const std::string& name) { return !permit->lets_pass(name); });
+  if (held.empty()) return {};
+  std::vector<VehicleFacts> out = parts_.glance(held);
+  std::erase_if(out, [](const VehicleFacts& one) { return one.is_simulated; });  // nothing stands before them
+  return out;
+}
+
+bool Gate::has_let_pass() const {
+  const std::scoped_lock lock(mutex_);
+  return permit_ && permit_->is_given();
 }
 
 Gate::Passed Gate::passed() const {

@@ -46,6 +46,9 @@ class Gate {
     /// What is known now of those of these members that are vehicles, or are not there; may take some
     /// seconds for one that was not looked at before.
     std::function<std::vector<VehicleFacts>(const std::vector<std::string>& names)> look;
+    /// The same, as far as it is known by now: does not wait, and does not begin to listen. Empty: nothing
+    /// is.
+    std::function<std::vector<VehicleFacts>(const std::vector<std::string>& names)> glance = {};
     std::function<double()> wall_clock;  ///< as Signature::at
     Store store;
     std::string how;  ///< to make a checklist, for people: `mlab preflight a.mdl --fleet alpha --sign "NAME"`
@@ -69,6 +72,12 @@ class Gate {
   /// its own from now on.
   /// @return  why it may not start, and what is to be done; empty: it may
   std::string why_not_start(const run::Crew& crew);
+
+  /// What is known now of those of these vehicles of which the newest run hears nothing: before it may start,
+  /// or because they came too late. For people to look at; nothing of it may enter a run.
+  std::vector<VehicleFacts> held_back(const std::vector<std::string>& names) const;
+  /// The newest run may start.
+  bool has_let_pass() const;
 
   /// As Parts::unchecked.
   const std::string& unchecked() const { return parts_.unchecked; }

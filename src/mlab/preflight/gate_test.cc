@@ -33,6 +33,14 @@ class Gates : public ::testing::Test {
                                   ++looks_;
                                   return facts_;
                                 },
+                            .glance =
+                                [this](const std::vector<std::string>& names) {
+                                  std::vector<VehicleFacts> out = facts_;
+                                  std::erase_if(out, [&](const VehicleFacts& one) {
+                                    return std::ranges::find(names, one.name) == names.end();
+                                  });
+                                  return out;
+                                },
                             .wall_clock = [this] { return now_; },
                             .store = Store(folder_.string()),
                             .how = "mlab preflight yard.mdl",
@@ -51,7 +59,7 @@ TEST_F(Gates, AreShutUntilSomebodySigns) {
   EXPECT_EQ(
       one.why_not_start(crew()),
       "the mission moves the vehicles `veh-1`, `veh-2`, and there is no signed pre-flight checklist that "
-      "holds: none was signed for it. Make one: mlab preflight yard.mdl");
+      "holds: nobody has signed one for this mission yet. Make one: mlab preflight yard.mdl");
   EXPECT_FALSE(permit->is_given());
   const auto done = one.sign(crew(), signature());
   ASSERT_TRUE(done) << done.error();
@@ -72,6 +80,33 @@ TEST_F(Gates, LookOnceMoreWhenTheMissionStarts) {
   facts_[1].report->battery->share = 0.9;
   now_ += 2.0 * kHoldsFor;
   EXPECT_NE(one.why_not_start(crew()).find("120 minutes ago"), std::string::npos);
+}
+
+TEST_F(Gates, TellPeopleWhatTheyHoldBackFromARun) {
+  const std::vector<std::string> both = {"veh-1", "veh-2"};
+  const auto held = [&](const Gate& one) {
+    std::vector<std::string> out;
+    for (const VehicleFacts& facts : one.held_back(both)) out.push_back(facts.name);
+    return out;
+  };
+  Gate one = gate();
+  EXPECT_EQ(held(one), std::vector<std::string>{}) << "there is no run with vehicles";
+  const auto permit = one.new_permit();
+  EXPECT_EQ(held(one), both);
+  EXPECT_FALSE(one.has_let_pass());
+  facts_[0].is_simulated = true;
+  EXPECT_EQ(held(one), std::vector<std::string>{"veh-2"}) << "of what is simulated nothing is held back";
+  facts_[0].is_simulated = false;
+  facts_[1].is_there = false;
+  facts_[1].session.clear();
+  Signature accepted = signature();
+  accepted.accepted = {{"veh-2/presence", "it is not needed"}};
+  const auto done = one.sign(crew(), accepted);
+  ASSERT_TRUE(done) << done.error();
+  ASSERT_EQ(one.why_not_start(crew()), "");
+  EXPECT_TRUE(one.has_let_pass());
+  EXPECT_EQ(held(one), std::vector<std::string>{"veh-2"}) << "it comes too late";
+  EXPECT_FALSE(permit->lets_pass("veh-2"));
 }
 
 TEST_F(Gates, AskNobodyTwiceForARunAndAnewForTheNext) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mlab/binding/vehicle_state.h"
 #include "mlab/geom/pose.h"
 #include "mlab/run/crew.h"
 #include "mlab/vehicle/check.h"
@@ -39,6 +40,7 @@ struct VehicleFacts {
   std::string machine = {};        ///< that its process runs on
   bool is_simulated = false;       ///< it says that nothing real moves
   std::optional<vehicle::Limits> limits = {};
+  std::string limits_refusal = {};  ///< what of its limits can't be, as a sentence; empty: they can be
   std::optional<Link> link = {};
   std::optional<vehicle::Report> report = {};  ///< the newest
   double report_age = 0.0;                     ///< since that arrived [s]
@@ -48,6 +50,9 @@ struct VehicleFacts {
   std::optional<std::vector<vehicle::Check>> checks =
       {};  ///< what it says of itself; nothing: it has not said
 };
+
+/// The same as the console tells it of vehicles; what another run has, or nobody. Nothing: it has not said.
+std::optional<binding::VehicleState> state_of(const VehicleFacts& facts);
 
 // ---- the checklist
 
@@ -156,7 +161,8 @@ std::string why_it_does_not_hold(const SignedChecklist& checklist, const Checkli
 
 std::string_view word_of(CheckResult result);  ///< `pass`, `warn`, `FAIL`, `unknown`
 
-/// To be read in 80 columns.
+/// To be read in 80 columns: of the mission and of each vehicle what has failed first, then warnings, then
+/// what nobody knows.
 std::string text_of(const Checklist& checklist);
 
 /// docs/preflight.md says what is where.

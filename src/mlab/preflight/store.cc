@@ -73,7 +73,7 @@ std::string Store::keep(const SignedChecklist& checklist) const {
 
 std::expected<SignedChecklist, std::string> Store::find(const Checklist& now, double at) const {
   const std::string own = name_of(now);
-  std::string why = "none was signed for it";
+  std::string why = "nobody has signed one for this mission yet";
   double newest = -1.0;  // of those that don't hold; that of these very texts says best why
   for (const fs::path& path : files_in(folder_)) {
     auto found = read(path);

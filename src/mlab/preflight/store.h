@@ -19,7 +19,8 @@ class Store {
 
   /// What was signed for what is now, and holds.
   /// @param at  wall clock, as Signature::at
-  /// @errors  a sentence: none was signed, or why what was signed for this mission last does not hold; a file
+  /// @errors  a sentence: nobody has signed one, or why what was signed for this mission last does not hold;
+  /// a file
   ///          that can't be read is named
   std::expected<SignedChecklist, std::string> find(const Checklist& now, double at) const;
 

@@ -33,7 +33,7 @@ class Stored : public ::testing::Test {
 };
 
 TEST_F(Stored, ChecklistsAreFoundAsLongAsTheyHold) {
-  EXPECT_EQ(store().find(checklist(), 0.0).error(), "none was signed for it");
+  EXPECT_EQ(store().find(checklist(), 0.0).error(), "nobody has signed one for this mission yet");
   const SignedChecklist one = {checklist(), signature(100.0)};
   ASSERT_EQ(store().keep(one), "");
   const auto found = store().find(checklist(), 200.0);
@@ -54,7 +54,7 @@ TEST_F(Stored, ChecklistsAreOfOneText) {
   EXPECT_TRUE(store().find(other, 200.0));
   EXPECT_TRUE(store().find(checklist(), 200.0)) << "the first text is still signed for";
   other.mission = "Another";
-  EXPECT_EQ(store().find(other, 200.0).error(), "none was signed for it");
+  EXPECT_EQ(store().find(other, 200.0).error(), "nobody has signed one for this mission yet");
 }
 
 TEST_F(Stored, ChecklistsAreOfOneProcessOfEachVehicle) {

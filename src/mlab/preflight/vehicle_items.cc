@@ -105,7 +105,7 @@ class Items {
 
   void add_limits() {
     if (!vehicle_.limits) {
-      add("limits", kFail, "says limits that can't be", "says what it can do");
+      add("limits", kFail, "says limits that can't be: " + vehicle_.limits_refusal, "says what it can do");
       return;
     }
     const vehicle::Limits& limits = *vehicle_.limits;

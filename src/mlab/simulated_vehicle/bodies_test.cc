@@ -40,7 +40,9 @@ class RadioLine final : public Line {
 
 class VehicleBodies : public testing::Test {
  protected:
-  VehicleBodies() {
+  VehicleBodies() { crew(); }
+  /// @param refusal  as Crewed::refusal
+  void crew(const std::string& refusal = "") {
     sim::World world;
     world.area_low = {0.0, 0.0};
     world.area_high = {100.0, 50.0};
@@ -51,6 +53,8 @@ class VehicleBodies : public testing::Test {
     crewed.limits.kinematics.drive = binding::Drive::kDifferential;
     crewed.limits.kinematics.max_speed = 0.5;
     crewed.limits.radius = 0.4;
+    if (!refusal.empty()) crewed.limits = {};
+    crewed.refusal = refusal;
     crewed.line = std::make_unique<RadioLine>(radio_);
     std::vector<Crewed> all;
     all.push_back(std::move(crewed));
@@ -378,6 +382,22 @@ TEST_F(VehicleBodies, SayWhatFailsafesLookAt) {
   EXPECT_EQ(upkeep->battery, 0.7);
   EXPECT_NEAR(upkeep->battery_age, 0.1, 1e-9);
   EXPECT_NEAR(upkeep->motion_age, 0.1, 1e-9);
+}
+
+TEST_F(VehicleBodies, RefuseARobotAVehicleWhoseLimitsCanNotBe) {
+  const std::string is = "says limits that can't be: its radius is -1, expected 0 to 100";
+  crew("its radius is -1, expected 0 to 100");
+  say({{10.0, 20.0}, 0.0});
+  EXPECT_EQ(embody(1, 10.0, 20.0).error(), "its vehicle `veh-1` " + is);
+  EXPECT_EQ(bodies_->vehicle("veh-1")->readiness, binding::VehicleState::Readiness::kFaulty);
+  EXPECT_EQ(bodies_->vehicle("veh-1")->why, is);
+  // Its recording tells the same; `said` of it can't be read.
+  const auto again =
+      recorded_bodies(std::make_unique<sim::SimulatedBinding>(sim::World{}), bodies_->vehicles());
+  binding::BodySetup setup;
+  setup.vehicle = "veh-1";
+  EXPECT_EQ(again->embody(setup).error(), "its vehicle `veh-1` " + is);
+  EXPECT_EQ(recorded_names(bodies_->vehicles()).count("veh-1"), 1U);
 }
 
 TEST_F(VehicleBodies, ThatAreThereCanNotBePutBack) {

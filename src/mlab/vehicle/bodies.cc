@@ -11,6 +11,7 @@
 #include "mlab/text/shown.h"
 #include "mlab/vehicle/earth.h"
 #include "mlab/vehicle/messages.h"
+#include "mlab/vehicle/state.h"
 
 namespace mlab::vehicle {
 namespace {
@@ -21,7 +22,8 @@ constexpr double kSilencePatience = 5.0;  // [s]
 constexpr double kReadyPatience = 10.0;   // [s]
 constexpr double kFixPatience = 2.0;      // that it has not said where on the Earth it is [s]
 constexpr std::size_t kLongestKind = 64;  // characters
-constexpr double kMovedBy = 0.5;          // from where the mission has it start, that is told [m]
+constexpr std::size_t kLongestRefusal = 200;
+constexpr double kMovedBy = 0.5;  // from where the mission has it start, that is told [m]
 
 // Where something stands that stands there in the frame.
 geom::Pose in_world(const geom::Pose& frame, const geom::Pose& pose) {
@@ -43,36 +45,12 @@ geom::Pose in_frame(const geom::Pose& frame, const geom::Pose& there) {
   return {{from.x, from.y}, base::wrap_angle(there.heading - frame.heading)};
 }
 
-std::string why_not_ready(const Report& report) {
-  if (!report.why.empty()) return report.why;
-  if (report.readiness == Readiness::kAbsent) return "has no device";
-  if (report.readiness == Readiness::kSilent) return "says nothing to its process";
-  return report.readiness == Readiness::kFaulty ? "is faulty" : "is not ready";
+std::string refusal_of(const Crewed& crewed) {
+  return "says limits that can't be: " + crewed.refusal;
 }
 
 const std::string& kind_of(const Crewed& crewed) {
   return crewed.kind.empty() ? crewed.name : crewed.kind;
-}
-
-binding::VehicleState::Readiness told(Readiness readiness) {
-  using Told = binding::VehicleState::Readiness;
-  switch (readiness) {
-    case Readiness::kAbsent:
-      return Told::kAbsent;
-    case Readiness::kSilent:
-      return Told::kSilent;
-    case Readiness::kNotReady:
-      return Told::kNotReady;
-    case Readiness::kStandby:
-      return Told::kStandby;
-    case Readiness::kTaken:
-      return Told::kTaken;
-    case Readiness::kReady:
-      return Told::kReady;
-    case Readiness::kFaulty:
-      return Told::kFaulty;
-  }
-  return Told::kFaulty;
 }
 
 }  // namespace
@@ -107,6 +85,8 @@ std::expected<binding::Placement, std::string> Bodies::embody(const binding::Bod
   Vehicle* const vehicle = setup.vehicle.empty() ? nullptr : of(setup.vehicle);
   if (vehicle == nullptr) return others_->embody(setup);
   State& state = vehicle->now;
+  if (!vehicle->crewed.refusal.empty())
+    return std::unexpected(fmt::format("its vehicle `{}` {}", setup.vehicle, refusal_of(vehicle->crewed)));
   if (state.body != binding::kNoBody)
     return std::unexpected(fmt::format("another robot has the vehicle `{}`", setup.vehicle));
   if (state.number == 0 || seconds_between(state.heard, now()) > kSilencePatience)
@@ -319,22 +299,21 @@ std::optional<binding::VehicleState> Bodies::vehicle(std::string_view name) cons
   const State& state = found->now;
   const auto age = [&](Clock::time_point at) { return std::max(0.0, seconds_between(at, now())); };
   binding::VehicleState out;
+  const bool is_known = state.number != 0;
+  if (is_known) out = state_of(state.report, now());
   out.name = found->crewed.name;
   out.kind = kind_of(found->crewed);
   out.number = state.number;
   out.age = age(state.heard);
-  if (state.number == 0) return out;
-  out.readiness = told(state.report.readiness);
-  if (state.report.readiness != Readiness::kReady) out.why = why_not_ready(state.report);
+  if (!found->crewed.refusal.empty()) {
+    out.why = refusal_of(found->crewed);
+    if (is_known) out.readiness = binding::VehicleState::Readiness::kFaulty;
+  }
+  if (!is_known) return out;
   out.trip = state.trip;
   out.driver = driver_of(state);
   out.is_stopped = state.is_stopped;
-  out.is_global = state.report.is_global;
-  if (state.report.motion) out.motion_age = age(state.report.motion->at);
   if (state.battery) out.battery = {state.battery->share, state.battery->voltage, age(state.battery->at)};
-  for (const Scan& scan : state.report.scans)
-    out.sensors.push_back({scan.sensor, static_cast<std::uint32_t>(scan.distances.size()), scan.farthest,
-                           scan.beam_width, age(scan.at)});
   return out;
 }
 
@@ -478,6 +457,7 @@ std::vector<std::string> Bodies::vehicles() const {
     told.set_name(one->crewed.name);
     *told.mutable_said() = offered(kind_of(one->crewed), one->crewed.limits);
     told.set_session(session_);
+    told.set_refusal(one->crewed.refusal);
     out.push_back(told.SerializeAsString());
   }
   return out;
@@ -492,8 +472,10 @@ std::unique_ptr<binding::Binding> recorded_bodies(std::unique_ptr<binding::Bindi
   for (const std::string& bytes : vehicles) {
     if (!told.ParseFromString(bytes)) continue;
     const auto limits = limits_of(told.said());
-    if (!limits) continue;
-    crewed.push_back({told.name(), *limits, nullptr, text::shown(told.said().kind(), kLongestKind)});
+    if (!limits && told.refusal().empty()) continue;
+    crewed.push_back({told.name(), limits.value_or(Limits()), nullptr,
+                      text::shown(told.said().kind(), kLongestKind),
+                      text::shown(told.refusal(), kLongestRefusal)});
     session = told.session();
   }
   return std::make_unique<Bodies>(std::move(others), std::move(crewed), session, map);

@@ -25,6 +25,9 @@ struct Crewed {
   Limits limits;
   std::unique_ptr<Line> line;  ///< null: what it said is recorded, and nobody hears what it is told
   std::string kind = {};       ///< what it is, for people; empty: its name
+  /// What of its limits can't be, as `limits_of` says it: no robot gets it, and its limits are not read.
+  /// Empty: they can be.
+  std::string refusal = {};
 };
 
 /// Bodies some of which are vehicles; the others are another binding's, which has a body for each vehicle,

@@ -93,7 +93,7 @@ TEST(VehicleMessages, LimitsAreCheckedByName) {
 std::vector<Check> checks() {
   return {{"watchdog", CheckResult::kPass, "brakes 0.5 s after its last command", ""},
           {"parameter FS_ACTION", CheckResult::kFail, "is 0", "2"},
-          {"firmware", CheckResult::kUnknown, "is not asked for its version", ""}};
+          {"firmware", CheckResult::kUnknown, "does not tell its version", ""}};
 }
 
 TEST(VehicleChecks, ArriveAsTheyWereSent) {

@@ -12,9 +12,6 @@ namespace mlab::vehicle {
 namespace {
 
 constexpr double kPartingPatience = 5.0;  // in which it is told to stop once no run drives it any more [s]
-// In which a vehicle says what a stop of ours did to it: autopilots say their mode once a second, on a bad
-// line later [s].
-constexpr double kOwnStopShowsIn = 3.0;
 
 // Greater than all numbers of the process before: what answered that one answers nothing of this one.
 std::uint64_t first_number(Clock::time_point now) {
@@ -50,7 +47,6 @@ void Server::hear(const std::string& sender, const std::string& body, Clock::tim
     driver_ = sender;
     carried_out_ = 0;
     newest_.Clear();
-    was_ready_ = false;
   }
   heard_ = now;
   driven_ = now;
@@ -62,7 +58,7 @@ void Server::hear(const std::string& sender, const std::string& body, Clock::tim
   // A run that was not heard for a while is still under the same word of a person.
   if (const std::pair word(command.session(), command.engagement()); word != engaged_by_) {
     engaged_by_ = word;
-    was_ready_ = has_driven_ = is_taken_ = false;
+    has_driven_ = is_taken_ = false;
     device_.engage(now);
   }
   newest_ = std::move(command);
@@ -81,8 +77,6 @@ double Server::age_of(std::uint64_t report, Clock::time_point now) const {
 void Server::stand(std::string why, Clock::time_point now) {
   standing_ = std::move(why);
   command_ = {};
-  was_ready_ = false;  // it may not be ready because of this
-  stood_ = now;
   if (is_stopped_())
     device_.stop_in_emergency(now);
   else
@@ -106,13 +100,9 @@ bool Server::is_left_alone(Readiness readiness, Clock::time_point now) const {
   return is_taken_ || readiness == Readiness::kTaken || is_nobodys;
 }
 
-// What was ready, is driven, and has to be made ready again, was made unready by somebody: by this itself,
-// where it has just told it to stop.
-void Server::notice_taking(Readiness readiness, Clock::time_point now) {
-  const bool is_taken_now = readiness == Readiness::kTaken && has_driven_;
-  const bool is_own = stood_ && seconds_between(*stood_, now) < kOwnStopShowsIn;
-  const bool is_unmade = readiness == Readiness::kStandby && was_ready_ && !is_own;
-  is_taken_ = is_taken_ || (session_ != 0 && (is_taken_now || is_unmade));
+// Not what somebody had before: that is waited for.
+void Server::notice_taking(Readiness readiness) {
+  is_taken_ = is_taken_ || (session_ != 0 && has_driven_ && readiness == Readiness::kTaken);
 }
 
 void Server::work(Clock::time_point now) {
@@ -122,7 +112,7 @@ void Server::work(Clock::time_point now) {
   const Report& report = device_.report(now);
   if (report.motion) poses_.add(*report.motion);
   const Readiness readiness = report.readiness;
-  notice_taking(readiness, now);
+  notice_taking(readiness);
   if (std::string why = why_it_stands(readiness, now); !why.empty()) {
     stand(std::move(why), now);
   } else if (is_left_alone(readiness, now)) {
@@ -138,8 +128,7 @@ void Server::drive(Readiness readiness, Clock::time_point now) {
     carried_out_ = newest_.number();
   }
   standing_.clear();
-  was_ready_ = readiness == Readiness::kReady;
-  has_driven_ = has_driven_ || was_ready_;
+  has_driven_ = has_driven_ || readiness == Readiness::kReady;
   device_.drive(command_, now);
 }
 

@@ -21,7 +21,8 @@ inline constexpr double kSessionPatience = 2.0;
 /// The side of a vehicle's process: lets one run at a time drive a device, as long as its commands are live.
 /// A vehicle that somebody has taken (a pilot, another ground station) is left to him, but for the emergency
 /// stop; one that was taken while it was driven also when he lets go of it, until a robot gets it as its body
-/// anew. It knows nothing of what carries messages, nor what time it is.
+/// anew. Who has taken it is the device's to say. It knows nothing of what carries messages, nor what time it
+/// is.
 class Server {
  public:
   /// @param device      outlives this
@@ -49,7 +50,7 @@ class Server {
   double age_of(std::uint64_t report, Clock::time_point now) const;
   std::string why_it_stands(Readiness readiness, Clock::time_point now) const;
   bool is_left_alone(Readiness readiness, Clock::time_point now) const;
-  void notice_taking(Readiness readiness, Clock::time_point now);
+  void notice_taking(Readiness readiness);
   void stand(std::string why, Clock::time_point now);
   void drive(Readiness readiness, Clock::time_point now);
 
@@ -65,11 +66,9 @@ class Server {
   Command command_;                                       // that was made of it
   std::string standing_;
   std::pair<std::uint64_t, std::uint32_t> engaged_by_;  // session and engagement of the newest command
-  bool was_ready_ = false;                   // when it was driven last, and was not told to stop since
-  std::optional<Clock::time_point> stood_;   // when it was told to stop last
-  bool has_driven_ = false;                  // under that engagement, while it was ready
-  bool is_taken_ = false;                    // somebody else has taken it since; it is left to him
-  std::optional<Clock::time_point> driven_;  // last
+  bool has_driven_ = false;                             // under that engagement, while it was ready
+  bool is_taken_ = false;                               // somebody else has taken it since; it is left to him
+  std::optional<Clock::time_point> driven_;             // last
   PoseHistory poses_;
   wire::VehicleReport message_;
 };

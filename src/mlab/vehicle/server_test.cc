@@ -239,37 +239,32 @@ TEST_F(ServerTest, WaitsForWhoHadTheVehicleBefore) {
   EXPECT_EQ(speed_after(milliseconds(20)), 1.0) << "it was not taken from its robot";
 }
 
-TEST_F(ServerTest, TakesAVehicleForTakenThatWasMadeUnready) {
+// Whether somebody has made it unready, or a stop of this, its device knows.
+TEST_F(ServerTest, MakesAVehicleReadyAgainOfWhichItsDeviceSaysThatNobodyHasTakenIt) {
   hear(command(report()));
   EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
-  device_.report_.readiness = Readiness::kStandby;  // somebody has disarmed it
-  device_.command_ = {};
-  hear(command(report()));
-  EXPECT_EQ(speed_after(milliseconds(20)), 0.0);
-  EXPECT_EQ(server_.standing(), "somebody else has taken it");
+  EXPECT_EQ(speed_after(milliseconds(600)), 0.0) << "nothing has come for half a second";
+  for (int i = 0; i < 40; ++i) {
+    device_.report_.readiness = i < 20 ? Readiness::kStandby : Readiness::kReady;
+    hear(command(report()));
+    EXPECT_EQ(speed_after(milliseconds(100)), 1.0);
+  }
 }
 
-// A rover says once a second that it has been put into HOLD.
-TEST_F(ServerTest, TakesNoVehicleForTakenThatSaysLateHowItWasStopped) {
+TEST_F(ServerTest, LeavesAVehicleToWhoTookItRightAfterItWasToldToStop) {
   hear(command(report()));
   EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
   EXPECT_EQ(speed_after(milliseconds(600)), 0.0) << "nothing has come for half a second";
   hear(command(report()));
   EXPECT_EQ(speed_after(milliseconds(20)), 1.0);
+  device_.report_.readiness = Readiness::kTaken;  // somebody has put it into another mode
+  device_.command_ = {};
+  hear(command(report()));
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.0);
+  EXPECT_EQ(server_.standing(), "somebody else has taken it");
   device_.report_.readiness = Readiness::kStandby;
   hear(command(report()));
-  EXPECT_EQ(speed_after(milliseconds(900)), 0.0);
-  hear(command(report()));
-  EXPECT_EQ(speed_after(milliseconds(20)), 1.0) << "it is made ready again";
-  device_.report_.readiness = Readiness::kReady;
-  for (int i = 0; i < 40; ++i) {
-    hear(command(report()));
-    EXPECT_EQ(speed_after(milliseconds(100)), 1.0);
-  }
-  device_.report_.readiness = Readiness::kStandby;
-  hear(command(report()));
-  speed_after(milliseconds(20));
-  EXPECT_EQ(server_.standing(), "somebody else has taken it") << "long after it was told to stop";
+  EXPECT_EQ(speed_after(milliseconds(20)), 0.0) << "who has let go of it has not given it back";
 }
 
 TEST_F(ServerTest, GoesOnWithAVehicleThatHadTroubleOfItsOwn) {

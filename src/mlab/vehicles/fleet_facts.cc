@@ -167,6 +167,16 @@ std::vector<VehicleFacts> FleetFacts::look(const std::vector<std::string>& names
   return out;
 }
 
+std::vector<VehicleFacts> FleetFacts::glance(const std::vector<std::string>& names) const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<VehicleFacts> out;
+  for (const std::string& name : names) {
+    const auto member = roster_->find(name);
+    if (member && member->said.has_vehicle()) out.push_back(facts(*member, Clock::now()));
+  }
+  return out;
+}
+
 VehicleFacts FleetFacts::facts(const Member& member, Clock::time_point now) const {
   const wire::OfferedVehicle& said = member.said.vehicle();
   VehicleFacts out = {.name = member.said.name(),
@@ -180,7 +190,10 @@ VehicleFacts FleetFacts::facts(const Member& member, Clock::time_point now) cons
     return out;
   }
   out.session = member.guid.text();
-  if (const auto limits = vehicle::limits_of(said)) out.limits = *limits;
+  if (const auto limits = vehicle::limits_of(said))
+    out.limits = *limits;
+  else
+    out.limits_refusal = limits.error();
   const auto at = watched_.find(out.name);
   if (at == watched_.end() || at->second.from != member.guid) return out;
   const Watched& one = at->second;

@@ -36,6 +36,9 @@ class FleetFacts {
   /// heard, for some seconds at most.
   std::vector<preflight::VehicleFacts> look(const std::vector<std::string>& names);
 
+  /// The same of those vehicles that are there, as far as it is known by now.
+  std::vector<preflight::VehicleFacts> glance(const std::vector<std::string>& names) const;
+
  private:
   /// One vehicle that is listened to.
   struct Watched {

@@ -21,11 +21,17 @@ class DdsLine final : public vehicle::Line {
         name_(std::move(name)) {}
 
   /// Until it has said where it is, or the time is over.
-  void wait(std::chrono::milliseconds patience) {
-    const auto last = std::chrono::steady_clock::now() + patience;
+  void wait(std::chrono::milliseconds patience, const Wondering& wondering) {
+    const auto began = std::chrono::steady_clock::now();
+    const auto last = began + patience;
+    bool has_told = false;
     wire::VehicleReport report;
     while (!report.has_motion() && std::chrono::steady_clock::now() < last) {
       waiter_.wait(std::chrono::milliseconds(20));
+      if (!has_told && std::chrono::steady_clock::now() - began > wondering.after) {
+        has_told = true;
+        wondering.tell();
+      }
       first_ = hear();
       // What is no report is told where it is taken.
       if (!first_ || !report.ParseFromString(*first_)) report.Clear();
@@ -57,7 +63,7 @@ class DdsLine final : public vehicle::Line {
 
 std::expected<std::unique_ptr<vehicle::Line>, std::string> open_line(
     const std::shared_ptr<agents::Roster>& roster, const std::string& name,
-    std::chrono::milliseconds patience) {
+    std::chrono::milliseconds patience, const Wondering& wondering) {
   auto waiter = dds::Waiter::make();
   if (!waiter) return std::unexpected(waiter.error());
   auto reports = roster->participant().reader(reports_topic(name), dds::ChannelKind::kLivePercepts, *waiter);
@@ -66,7 +72,7 @@ std::expected<std::unique_ptr<vehicle::Line>, std::string> open_line(
   if (!commands) return std::unexpected(commands.error());
   auto out =
       std::make_unique<DdsLine>(roster, std::move(*waiter), std::move(*reports), std::move(*commands), name);
-  out->wait(patience);
+  out->wait(patience, wondering);
   return out;
 }
 

@@ -14,6 +14,9 @@ function at(mode: Status_Mode, more: Partial<Situation> = {}, status = {}): Retu
     errors: 0,
     nextLabel: "2",
     whyNotStart: "",
+    isStarting: false,
+    silentVehicles: [],
+    hasVehicles: false,
     hasAsked: false,
     hasOperator: true,
     ...more,
@@ -52,6 +55,15 @@ describe("the main button", () => {
     expect(at(Status_Mode.READY, { whyNotStart }).hint).toContain(whyNotStart);
     expect(at(Status_Mode.RUNNING, { whyNotStart })).toMatchObject({ label: "Pause" });
     expect(at(Status_Mode.READY, { whyNotStart, isOperator: false })).toMatchObject({ label: "Ask for control" });
+  });
+  it("says what a start waits for, and is not pressed twice", () => {
+    const starting = { isStarting: true, hasVehicles: true };
+    expect(at(Status_Mode.READY, starting)).toMatchObject({ label: "Starting", does: { kind: "nothing" } });
+    expect(at(Status_Mode.READY, starting).hint).toBe("Looks at the vehicles once more.");
+    const hint = (silentVehicles: string[]) => at(Status_Mode.READY, { ...starting, silentVehicles }).hint;
+    expect(hint(["veh-1"])).toBe("Waits for the vehicle veh-1.");
+    expect(hint(["veh-1", "veh-2"])).toBe("Waits for the vehicles veh-1 and veh-2.");
+    expect(at(Status_Mode.RUNNING, starting)).toMatchObject({ label: "Pause" });
   });
   it("resumes a step beside which an order has ended", () => {
     const steps = [{ outcome: Status_Outcome.UNDER_WAY }, { step: kStepOfOrder, outcome: Status_Outcome.DONE }];

@@ -1,5 +1,6 @@
 // The main button: it always says what it will do, and there is always one next thing to do.
 import { Control_Action, type Status, Status_Mode, Status_Outcome } from "../../core/protocol.ts";
+import { list } from "../../ui/words/format.ts";
 import { kStepOfOrder } from "./steps.ts";
 
 export interface MainButton {
@@ -33,6 +34,11 @@ export interface Situation {
   nextLabel: string; // label of the step that Execute would start; empty: none
   /** Why the mission may not move its vehicles yet, as a sentence; empty: it may. */
   whyNotStart: string;
+  /** It was told to start, and has not answered yet. */
+  isStarting: boolean;
+  /** Names of vehicles of which nothing was heard lately. */
+  silentVehicles: readonly string[];
+  hasVehicles: boolean;
   /** This browser has asked for the operator's place and waits. */
   hasAsked: boolean;
 }
@@ -64,6 +70,7 @@ export function mainButton(situation: Situation): MainButton {
     case Status_Mode.NO_MISSION:
       return withoutMission(situation);
     case Status_Mode.READY:
+      if (situation.isStarting) return starting(situation);
       return situation.whyNotStart === "" ? execute("Starts with step", situation) : checklist(situation);
     case Status_Mode.RUNNING:
       return control(
@@ -86,6 +93,19 @@ export function mainButton(situation: Situation): MainButton {
     case Status_Mode.ENDED:
       return control("Restart", endHint(status.outcome), Control_Action.RESTART, "hold", "restart");
   }
+}
+
+/** Pressed once more it would not start sooner. */
+function starting({ silentVehicles, hasVehicles }: Situation): MainButton {
+  const vehicles = silentVehicles.length === 1 ? "the vehicle" : "the vehicles";
+  const waited = hasVehicles ? "Looks at the vehicles once more." : "Waits for the server.";
+  return {
+    label: "Starting",
+    hint: silentVehicles.length > 0 ? `Waits for ${vehicles} ${list(silentVehicles)}.` : waited,
+    does: nothing,
+    tone: "quiet",
+    icon: "play",
+  };
 }
 
 function checklist({ whyNotStart }: Situation): MainButton {

@@ -7,7 +7,7 @@ import { mainButton } from "./main_button.ts";
 import { situationOf } from "./situation.ts";
 
 export function pressMainButton(session: Session): void {
-  const { does } = mainButton(situationOf(session.model));
+  const { does } = mainButton(situationOf(session.model, session.ui.get("isStarting")));
   switch (does.kind) {
     case "control":
       control(session, does.action);

@@ -4,7 +4,7 @@ import { Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { Button, Hint, IconButton } from "../../ui/controls/controls.tsx";
 import { control } from "../session/orders.ts";
-import { isAlike, useIsRecording, useMayOrder, useMode, useReading, useSession } from "../session/session.ts";
+import { isAlike, useIsRecording, useMayOrder, useMode, useReading, useSession, useUi } from "../session/session.ts";
 import { type MainButton, mainButton, stepWords } from "./main_button.ts";
 import { pressMainButton } from "./press.ts";
 import { situationOf } from "./situation.ts";
@@ -73,7 +73,8 @@ export function StartButton() {
 }
 
 function useMainButton(): MainButton {
-  return useReading(kOfMainButton, (model) => mainButton(situationOf(model)), isAlike);
+  const isStarting = useUi("isStarting");
+  return useReading(kOfMainButton, (model) => mainButton(situationOf(model, isStarting)), isAlike);
 }
 
 const kOfMainButton = [

@@ -14,7 +14,19 @@ export async function order(session: Session, body: Order): Promise<Reply> {
 }
 
 export function control(session: Session, action: Control_Action, step = 0): void {
-  void order(session, { case: "control", value: { action, step } });
+  const answered = order(session, { case: "control", value: { action, step } });
+  if (action === Control_Action.EXECUTE || action === Control_Action.SINGLE_STEP) void showStarting(session, answered);
+}
+
+/** When somebody begins to wonder whether anything happens [ms]. */
+const kWonders = 300;
+
+/** Vehicles are looked at once more before a mission moves them, which may take some seconds. */
+async function showStarting(session: Session, answered: Promise<Reply>): Promise<void> {
+  const timer = setTimeout(() => session.ui.set("isStarting", true), kWonders);
+  await answered;
+  clearTimeout(timer);
+  session.ui.set("isStarting", false);
 }
 
 /** What can't be taken back is asked once: aborting, and beginning anew what has begun. */

@@ -81,6 +81,8 @@ export interface UiParts {
   draft: { line: string } | null;
   /** An emergency stop was asked for here, and has not been confirmed by every robot. */
   stopSent: boolean;
+  /** The run was told here to start, and has not answered for a while: what it waits for is a vehicle, as a rule. */
+  isStarting: boolean;
   /** Whether questions and alerts are heard and seen outside of the page as well. */
   calls: boolean;
   /** All alerts are listed, not the newest alone. */
@@ -117,6 +119,7 @@ export class Ui extends Store<UiParts> {
       draft: null,
       notice: null,
       stopSent: false,
+      isStarting: false,
       calls: stored.calls === true,
       alertsUnfolded: false,
     });

@@ -2,7 +2,6 @@ import { create, type Message, type MessageInitShape } from "@bufbuild/protobuf"
 import { describe, expect, it } from "vitest";
 import {
   Status_Vehicle_Driver as Driver,
-  PreflightSchema,
   Status_Vehicle_Readiness as Readiness,
   Status_VehicleSchema,
   StatusSchema,
@@ -12,7 +11,6 @@ import {
   batteryTone,
   condition,
   driverText,
-  isHeldBack,
   isOld,
   isSameVehicle,
   linkText,
@@ -65,14 +63,6 @@ describe("how a vehicle is", () => {
     expect(whyNot(vehicle({ isStopped: true, why: "is in another mode: MANUAL" }))).toBe(
       "an emergency stop holds there and it is in another mode: MANUAL",
     );
-  });
-  it("is held back before the checklist is signed, where one is needed", () => {
-    const checklist = (isNeeded: boolean) => create(PreflightSchema, { hasVehicles: true, isNeeded });
-    const unheard = vehicle({ readiness: Readiness.UNHEARD });
-    expect(isHeldBack(unheard, checklist(true))).toBe(true);
-    expect(isHeldBack(unheard, checklist(false))).toBe(false);
-    expect(isHeldBack(unheard, null)).toBe(false);
-    expect(isHeldBack(vehicle(), checklist(true))).toBe(false);
   });
   it("is old when nothing was heard for two seconds, or ever", () => {
     expect([0.1, 2, 2.1].map((age) => isOld(vehicle({ age })))).toEqual([false, false, true]);

@@ -1,7 +1,6 @@
 // How a vehicle is, in words: what it has said, and how old that is.
 import {
   Status_Vehicle_Driver as Driver,
-  type Preflight,
   Status_Vehicle_Readiness as Readiness,
   type Status,
   type Status_Vehicle,
@@ -55,11 +54,6 @@ export function whyNot(vehicle: Status_Vehicle): string {
     vehicle.why === "" ? "" : `it ${vehicle.why}`,
   ].filter((part) => part !== "");
   return list(parts);
-}
-
-/** What it says reaches the run only once the checklist is signed and the mission starts. */
-export function isHeldBack(vehicle: Status_Vehicle, checklist: Preflight | null): boolean {
-  return !isHeard(vehicle) && (checklist?.isNeeded ?? false);
 }
 
 /** `12 s`, `0.4 s`. */

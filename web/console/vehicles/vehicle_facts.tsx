@@ -1,5 +1,4 @@
 // What is known of the vehicle that is a robot's body.
-import type { Status_Vehicle } from "../../core/protocol.ts";
 import { FactList } from "../../ui/controls/fact_list.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
 import { usePart } from "../session/session.ts";
@@ -8,7 +7,6 @@ import {
   batteryText,
   condition,
   driverText,
-  isHeldBack,
   isOld,
   linkText,
   placeText,
@@ -21,9 +19,7 @@ import "./vehicles.css";
 /** Nothing of a robot whose body is made up. */
 export function VehicleFacts({ robot }: { robot: number }) {
   const vehicle = vehicleOf(usePart("status"), robot);
-  const checklist = usePart("preflight");
   if (!vehicle) return null;
-  if (isHeldBack(vehicle, checklist)) return <HeldBack vehicle={vehicle} />;
   const { word, tone } = condition(vehicle);
   const why = whyNot(vehicle);
   return (
@@ -49,21 +45,7 @@ export function VehicleFacts({ robot }: { robot: number }) {
           ["Sensors", sensorsText(vehicle)],
         ]}
       />
-    </section>
-  );
-}
-
-function HeldBack({ vehicle }: { vehicle: Status_Vehicle }) {
-  return (
-    <section className="vehicle" aria-label="Vehicle" data-testid="vehicle">
-      <header className="vehicle-head">
-        <h3>Vehicle {vehicle.name}</h3>
-      </header>
-      {vehicle.kind !== vehicle.name && <p className="vehicle-kind">{vehicle.kind}</p>}
-      <p className="small muted">
-        What it says reaches the run once the checklist is signed and the mission starts. Until then Pre-flight tells
-        how it is.
-      </p>
+      {vehicle.heldBack !== "" && <p className="small muted">{sentence(vehicle.heldBack)}</p>}
     </section>
   );
 }

@@ -124,7 +124,7 @@ void tell_held(const preflight::Gate& gate, const run::Crew& crew, const Checkli
   }
   const auto held = gate.held(crew);
   say(options, held ? fmt::format("Signed by {}.\n", held->signature.by)
-                    : fmt::format("Not signed: {}.\n", held.error()));
+                    : fmt::format("No signed checklist holds: {}.\n", held.error()));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "mlab/console/published/vehicle_encoder.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "mlab/console/published/overview.h"
 
@@ -58,6 +60,24 @@ void encode_vehicles(const run::MissionRun& run, Status& out) {
       encode(*state, told);
     else
       told.set_why("is not in the fleet");
+  }
+}
+
+void encode_held_back(const preflight::Gate& gate, Status& out) {
+  std::vector<std::string> unheard;
+  for (const Status::Vehicle& one : out.vehicles()) {
+    if (one.readiness() == Status::Vehicle::UNHEARD) unheard.push_back(one.name());
+  }
+  if (unheard.empty()) return;
+  const std::string why = gate.has_let_pass()
+                              ? "it was not there when the vehicles were checked, and stays out of this run"
+                              : "nothing of this reaches the run before the mission starts on its vehicles";
+  for (const preflight::VehicleFacts& facts : gate.held_back(unheard)) {
+    const auto state = preflight::state_of(facts);
+    const auto told = std::ranges::find(*out.mutable_vehicles(), clean(facts.name), &Status::Vehicle::name);
+    if (!state || told == out.mutable_vehicles()->end()) continue;
+    encode(*state, *told);
+    told->set_held_back(why);
   }
 }
 

@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "mlab/console/run/vehicle_silence.h"
+#include "mlab/console/testing/browser.h"
+#include "mlab/history/history_writer.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/simulated/run.h"
 #include "mlab/vehicle/bodies.h"
@@ -97,7 +99,7 @@ class Vehicles : public ::testing::Test {
     settings.vehicles = [this](const mission::Mission& /*any*/, std::unique_ptr<binding::Binding> simulated) {
       std::vector<vehicle::Crewed> crewed;
       crewed.push_back(
-          {"veh-1", vehicle_->rover.limits(), std::make_unique<Way>(vehicle_), "a rover at ttyS1"});
+          {"veh-1", vehicle_->rover.limits(), std::make_unique<Way>(vehicle_), "a rover at ttyS1", refusal_});
       return std::make_unique<vehicle::Bodies>(std::move(simulated), std::move(crewed), 7);
     };
     robot::ProgramSources sources;
@@ -116,6 +118,7 @@ class Vehicles : public ::testing::Test {
   }
 
   std::shared_ptr<Vehicle> vehicle_ = std::make_shared<Vehicle>();
+  std::string refusal_;  // as vehicle::Crewed::refusal
   std::unique_ptr<run::MissionRun> run_;
 };
 
@@ -166,6 +169,25 @@ TEST_F(Vehicles, ThatAPilotTakesAreToldSo) {
   EXPECT_EQ(told().vehicles(0).why(), "is in another mode: MANUAL");
 }
 
+TEST_F(Vehicles, WhoseLimitsCanNotBeAreToldByTheRun) {
+  refusal_ = "its radius is -1, expected 0 to 100";
+  make();
+  std::vector<std::string> warnings;
+  run_->set_observer([&](const mission::Effect& effect) {
+    const auto* told = std::get_if<mission::effect::Tell>(&effect);
+    if (told != nullptr && told->kind == mission::effect::Tell::Kind::kWarning)
+      warnings.push_back(told->text);
+  });
+  execute();
+  pass(1.0);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_EQ(warnings.front(),
+            "robot 2 can't start: its vehicle `veh-1` says limits that can't be: its "
+            "radius is -1, expected 0 to 100");
+  EXPECT_EQ(told().vehicles(0).readiness(), Status::Vehicle::FAULTY);
+  EXPECT_EQ(told().vehicles(0).why(), "says limits that can't be: its radius is -1, expected 0 to 100");
+}
+
 TEST_F(Vehicles, ThatNobodyKnowsOfAreToldSo) {
   make();
   execute();
@@ -205,6 +227,41 @@ TEST_F(Vehicles, GrowOldByTheWallClockWhileTheRunStands) {
   EXPECT_NEAR(age(105.0), 4.0, 1e-9);
   vehicle_->is_mute = false;
   EXPECT_EQ(age(105.5), 0.0);
+}
+
+TEST_F(Vehicles, AreShownAsTheyWereByARecording) {
+  make();
+  const auto history = std::make_shared<history::History>();
+  history::HistoryWriter writer(
+      [&](const wire::HistoryEntry& entry) { EXPECT_EQ(history->add(entry), std::nullopt); });
+  run_->set_observer([&](const mission::Effect& effect) { writer.see(effect); });
+  writer.begin(*run_, {"test", {}, 0, 0.0});
+  writer.note_cycle();
+  execute();
+  vehicle_->rover.told.battery = vehicle::Battery{0.64, 24.6, {}};
+  std::vector<std::string> were = {""};  // by cycle
+  for (int cycle = 1; cycle <= 40; ++cycle) {
+    if (cycle == 20) vehicle_->rover.told.readiness = Readiness::kTaken;
+    if (cycle == 20) vehicle_->rover.told.why = "is in mode MANUAL: a pilot steers it";
+    if (cycle == 30) vehicle_->is_mute = true;
+    run_->step();
+    writer.note_cycle();
+    were.push_back(told().vehicles(0).DebugString());
+  }
+  writer.end("interrupted");
+
+  testing::TestSession session("", 1.0, [&](SessionSettings& s) { s.recording = {"rover", history}; });
+  testing::Browser anna(session, "Anna");
+  for (const std::uint64_t cycle : {10, 25, 40, 15}) {
+    ToServer look;
+    look.mutable_look_back()->set_time(static_cast<double>(cycle) * 0.1);
+    ASSERT_EQ(testing::Browser::error_of(anna.ask(look)), "");
+    ASSERT_TRUE(anna.wait([&] { return !anna.moment().is_coming() && anna.status().cycle() == cycle; }));
+    ASSERT_EQ(anna.status().vehicles_size(), 1);
+    EXPECT_EQ(anna.status().vehicles(0).DebugString(), were[cycle]) << cycle;
+  }
+  EXPECT_NE(were[10].find("readiness: IS_READY"), std::string::npos) << were[10];
+  EXPECT_NE(were[25].find("readiness: TAKEN"), std::string::npos) << were[25];
 }
 
 TEST_F(Vehicles, WithoutABatteryAreHeldByARowThatLooksAtBatteries) {

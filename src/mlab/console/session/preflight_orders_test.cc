@@ -41,6 +41,17 @@ class PreflightSession : public ::testing::Test {
               ++looks_;
               return facts(names);
             },
+        .glance =
+            [this](const std::vector<std::string>& names) {
+              std::vector<VehicleFacts> out = facts(names);
+              for (VehicleFacts& one : out) {
+                one.report.emplace();
+                one.report->readiness = vehicle::Readiness::kStandby;
+                one.report->why = "is not armed";
+                one.report->battery = vehicle::Battery{0.64, 24.6, {}};
+              }
+              return out;
+            },
         .wall_clock = [] { return 1.7e9; },
         .store = preflight::Store(project_.path("signed").string()),
         .how = "mlab preflight driven.mdl",
@@ -67,6 +78,7 @@ class PreflightSession : public ::testing::Test {
       s.state_folder = project_.path("state").string();
       s.mission = project_.path("project/driven.mdl").string();
       s.gate = gate_;
+      s.run.is_vehicle = [](const std::string& host) { return host == "veh-1"; };
       s.run.vehicles = [gate = gate_](const mission::Mission&, std::unique_ptr<binding::Binding> simulated) {
         gate->new_permit();
         return simulated;
@@ -122,6 +134,24 @@ TEST_F(PreflightSession, NothingMovesBeforeTheChecklistIsSigned) {
   EXPECT_EQ(anna_->preflight().why_not_start(), "");
   EXPECT_TRUE(anna_->wait([&] { return anna_->has_log("the pre-flight checklist is signed by Ada"); }));
   EXPECT_EQ(anna_->control(Control::EXECUTE), "");
+}
+
+TEST_F(PreflightSession, VehiclesAreShownBeforeTheirRunHearsThem) {
+  begin();
+  const auto vehicle = [&] {
+    const Status status = anna_->status();
+    return status.vehicles_size() == 1 ? status.vehicles(0) : Status::Vehicle();
+  };
+  ASSERT_TRUE(anna_->wait([&] { return vehicle().readiness() == Status::Vehicle::STANDBY; }));
+  EXPECT_EQ(vehicle().kind(), "MAVLink rover at udp:14550");
+  EXPECT_EQ(vehicle().why(), "is not armed");
+  EXPECT_EQ(vehicle().battery().share(), 0.64);
+  EXPECT_EQ(vehicle().held_back(),
+            "nothing of this reaches the run before the mission starts on its vehicles");
+  EXPECT_EQ(Browser::error_of(anna_->ask(signed_by(anna_->preflight(), "Ada"))), "");
+  EXPECT_EQ(anna_->control(Control::EXECUTE), "");
+  EXPECT_TRUE(anna_->wait([&] { return vehicle().readiness() == Status::Vehicle::UNHEARD; }))
+      << "from then on it is told what the run knows";
 }
 
 TEST_F(PreflightSession, WhoOnlyWatchesLooksAgainAndCanNotSign) {

@@ -9,6 +9,7 @@
 #include "mlab/console/published/frame_encoder.h"
 #include "mlab/console/published/overview.h"
 #include "mlab/console/published/status_encoder.h"
+#include "mlab/console/published/vehicle_encoder.h"
 #include "mlab/console/run/held_values.h"
 
 namespace mlab::console {
@@ -211,6 +212,7 @@ void Publisher::tell_status(ToBrowser& out) const {
     status.set_seed(maker_.seed());
   }
   run_.vehicle_silence().add(wall, status);
+  if (const preflight::Gate* gate = run_.gate()) encode_held_back(*gate, status);
   run_.teleoperations().encode(status);
   if (run_.is_stopped()) {
     const LiveRun* live = run_.live();

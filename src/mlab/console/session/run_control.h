@@ -114,6 +114,8 @@ class RunControl {
   const std::vector<robot::SilentMachine>& silent_machines() const { return silent_machines_; }
   /// What vehicles have not said while the run stands.
   const VehicleSilence& vehicle_silence() const { return vehicle_silence_; }
+  /// Before its runs' vehicles; null: they have none.
+  const preflight::Gate* gate() const { return gate_.get(); }
   /// Where some are silent, that is news each second; and so is what vehicles say while the run stands.
   void look_at_machines();
   /// Where it stands: mode, steps, speed, what it waits for.

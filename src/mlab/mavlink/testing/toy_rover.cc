@@ -121,6 +121,13 @@ void ToyRover::take_command(const CommandLong& message, Time now) {
   if (message.command == kSetMessageInterval) {
     intervals_[static_cast<std::uint32_t>(message.params[0])] =
         std::chrono::microseconds(static_cast<std::int64_t>(message.params[1]));
+  } else if (message.command == kRequestMessage && version != Version::kUnsupported &&
+             message.params[0] == static_cast<float>(AutopilotVersion::kInfo.id)) {
+    if (version == Version::kMute) return;
+    AutopilotVersion told;
+    told.flight_sw_version = 0x040507ff;
+    told.flight_custom_version = field_of<8>("9c2f1e4a");
+    send(told, now);
   } else if (message.command == kDoSetMode) {
     if (refuses_modes) {
       deny(Result::kFailed);

@@ -72,6 +72,9 @@ class ToyRover {
   Mode mode = Mode::kManual;
   bool is_armed = false;
   State state = State::kStandby;
+  /// What it does where it is asked for the version of its firmware.
+  enum class Version : std::uint8_t { kTold, kUnsupported, kMute };
+  Version version = Version::kTold;
   bool passes_checks = true;
   bool refuses_modes = false;  ///< whatever mode it is told to take, it does not
   bool runs_away = false;      ///< goes on driving, whatever mode it is in, until it is disarmed

@@ -358,6 +358,23 @@ TEST_P(Conformance, IsLeftToWhoHasTakenItButInAnEmergency) {
   get_moving(full_ahead());
 }
 
+// What a stop of ours did to it must not hide who takes it a second later.
+TEST_P(Conformance, IsLeftToWhoTakesItRightAfterAStop) {
+  wait_until_ready();
+  get_moving(full_ahead());
+  device().stop(now_);
+  go(facts().stops_within, std::nullopt);
+  get_moving(full_ahead());
+  if (!rig_->take_to_stand()) GTEST_SKIP() << "nobody else can have it stand";
+  go(3.0, full_ahead());
+  EXPECT_EQ(device().report(now_).readiness, Readiness::kTaken);
+  expect_standing("taken by somebody who has it stand");
+  rig_->give_back();
+  device().engage(now_);
+  wait_until_ready();
+  get_moving(full_ahead());
+}
+
 TEST_P(Conformance, IsToldToStopUntilItStands) {
   for (int i = 0; i < 10 && !HasFailure(); ++i) {
     wait_until_ready();

@@ -91,6 +91,12 @@ class Rig {
   /// emergency stop.
   /// @return  false: nobody can
   virtual bool take() { return false; }
+  /// Somebody else takes the vehicle to have it stand: puts it into another mode, presses its own emergency
+  /// stop.
+  /// @return  false: nobody can
+  virtual bool take_to_stand() { return false; }
+  /// Who took it to stand lets go of it.
+  virtual void give_back() {}
 };
 
 /// A kind of device, as the suite is instantiated with.
