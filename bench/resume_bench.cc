@@ -1,6 +1,7 @@
-// How long a console takes to come back to a run of an hour that was killed: what stands between the start and
-// the run is `resume_run`, all else is the opening of a mission. For the missions of `missions/` whose robots
-// plan their ways, gone to and fro. Beside it what the journal costs, and how much room it takes.
+// How long a console takes to come back to a run of an hour that was killed: what stands between the start
+// and the run is `resume_run`, all else is the opening of a mission. For the missions of `missions/` whose
+// robots plan their ways, gone to and fro. Beside it what the journal costs, how much room it takes, and how
+// long another future that departs shortly before the end takes to get there.
 //
 //     build/bench/bin/resume_bench [SECONDS]
 
@@ -18,8 +19,10 @@
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/console/run/resumed_run.h"
+#include "mlab/history/branch.h"
 #include "mlab/history/recorder.h"
 #include "mlab/history/replay.h"
+#include "mlab/history/timeline.h"
 #include "mlab/journal/journal.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/robot/program/configuration_file.h"
@@ -119,6 +122,35 @@ double carry_out(const Case& one, double seconds, const std::string& folder, boo
   return cpu_seconds() - began;
 }
 
+// Until both runs are where they depart, in its last twentieth.
+void ask_what_if(const std::shared_ptr<history::History>& history, const history::ReplayTools& tools) {
+  text::Diagnostics sink;
+  const auto line = history::Timeline::make(history, tools, {}, sink);
+  if (!line) return;
+  while (line->advance(10.0)) {
+  }
+  const std::uint64_t cycle = history->last_cycle() / 20 * 19;
+  if (line->go_to(cycle)) return;
+  const auto other =
+      history::branch(*history, {cycle, line->run().time(), {}, {}, true}, line->run().mission());
+  if (!other) return;
+  const auto go_there = [&](history::Replay& own, history::Replay& future) {
+    for (history::Replay* const one : {&own, &future}) {
+      while (one->run().cycle() < cycle && one->step()) continue;
+    }
+  };
+  double began = cpu_seconds();
+  const history::Timeline::Fork fork = line->fork(other->history, cycle);
+  go_there(*fork.own, *fork.other);
+  const double from_checkpoint = cpu_seconds() - began;
+  began = cpu_seconds();
+  const auto own = line->again();
+  const auto future = history::Replay::make(other->history, tools, sink);
+  if (future) go_there(*own, *future);
+  fmt::print("  what if, from cycle {}: there in {:.4f} s of processor time, from the beginning {:.2f} s\n",
+             cycle, from_checkpoint, cpu_seconds() - began);
+}
+
 void resume(const std::string& folder) {
   const double began = cpu_seconds();
   const auto kept = journal::read_journal(folder + "/run.journal");
@@ -140,6 +172,7 @@ void resume(const std::string& folder) {
   if (!resumed.live) fmt::print(stderr, "{}\n", resumed.why);
   fmt::print("  back at cycle {} in {:.2f} s of processor time; computed again alone: {:.2f} s\n",
              resumed.live ? resumed.live->run().cycle() : 0, all, cpu_seconds() - before_replay);
+  ask_what_if(kept->history, tools);
 }
 
 void measure(const Case& one, double seconds, const std::string& folder) {
@@ -150,10 +183,12 @@ void measure(const Case& one, double seconds, const std::string& folder) {
     fs::remove(folder + "/run.journal");
     with += carry_out(one, seconds, folder, true);
   }
-  fmt::print("{}, {:.0f} s: with a journal {:.3f} of the processor time; it has {:.0f} KB, the recording {:.0f} KB\n",
-             one.name, seconds, with / std::max(1e-9, without),
-             1e-3 * static_cast<double>(fs::file_size(folder + "/run.journal")),
-             1e-3 * static_cast<double>(fs::file_size(folder + "/run.mcap")));
+  fmt::print(
+      "{}, {:.0f} s: with a journal {:.3f} of the processor time; it has {:.0f} KB, the recording {:.0f} "
+      "KB\n",
+      one.name, seconds, with / std::max(1e-9, without),
+      1e-3 * static_cast<double>(fs::file_size(folder + "/run.journal")),
+      1e-3 * static_cast<double>(fs::file_size(folder + "/run.mcap")));
   resume(folder);
 }
 
