@@ -73,12 +73,16 @@ void Recorder::go_on(const std::string& file) {
   std::vector<wire::HistoryEntry> in_file;
   in_file.reserve(waiting_.size());
   for (const wire::HistoryEntry& entry : waiting_) in_file.push_back(names_.in_recording(entry));
+  text::Diagnostic none;
+  none.message = "it was not recorded before";
   auto resumed =
-      file.empty() ? std::unexpected(text::Diagnostic{}) : RecordingWriter::go_on(file, started_at_, in_file);
+      file.empty() ? std::unexpected(std::move(none)) : RecordingWriter::go_on(file, started_at_, in_file);
   if (!resumed) {
+    why_anew_ = std::move(resumed.error().message);
     begin_file();
     return;
   }
+  is_same_file_ = true;
   file_ = std::move(*resumed);
   path_ = file_->path();
   waiting_.clear();

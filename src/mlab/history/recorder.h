@@ -60,6 +60,10 @@ class Recorder {
 
   /// Empty: nobody has started the run, or there is no place.
   const std::string& path() const { return path_; }
+  /// The run was cut off, and its recording goes on in the same file.
+  bool is_same_file() const { return is_same_file_; }
+  /// Why the recording of a run that was cut off is a new one, as a sentence; empty: it is not.
+  const std::string& why_anew() const { return why_anew_; }
   /// Why the recording does not go on, as a sentence; empty: it does.
   const std::string& problem() const { return file_ ? file_->problem() : problem_; }
 
@@ -77,6 +81,8 @@ class Recorder {
   std::unique_ptr<RecordingWriter> file_;
   std::string path_;
   std::string problem_;  // where there is no file
+  bool is_same_file_ = false;
+  std::string why_anew_;
   HistoryWriter writer_;
 };
 

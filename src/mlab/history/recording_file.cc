@@ -73,27 +73,67 @@ text::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
 
 namespace {
 
-// How many of the entries the file holds.
+// What a file holds of a run.
+struct Held {
+  std::size_t entries = 0;
+  std::uint64_t bytes = UINT64_MAX;  // that may stay: beyond them the run was ended
+};
+
+std::unexpected<text::Diagnostic> other_run(const std::string& path) {
+  return std::unexpected(problem_with(
+      "other-run", fmt::format("what is in `{}` is not the beginning of this run", text::shown(path))));
+}
+
+// Why a message is none of a run of which this entry stands there.
+// @param found  what the message says
+text::Diagnostic difference(const std::string& path, const wire::HistoryEntry& wanted,
+                            const wire::HistoryEntry& found) {
+  const bool is_of_another_version = wanted.has_beginning() && found.has_beginning() &&
+                                     wanted.beginning().version() != found.beginning().version();
+  if (!is_of_another_version) return other_run(path).error();
+  return problem_with(
+      "other-version",
+      fmt::format("`{}` was written by version {} of missionlab, and this is {}", text::shown(path),
+                  text::shown(found.beginning().version(), 60), wanted.beginning().version()));
+}
+
+// The end of a run stands in the last chunk, and all that would go with it is known: messages are written
+// again.
+text::Result<Held> without_end(const std::string& path, const mcap::Summary& summary, std::size_t entries) {
+  if (summary.chunks.empty()) return other_run(path);
+  const std::uint64_t last = summary.chunks.back().offset;
+  const auto is_behind = [last](const auto& index) { return index.offset > last; };
+  if (std::ranges::any_of(summary.metadata, is_behind) || std::ranges::any_of(summary.attachments, is_behind))
+    return std::unexpected(problem_with(
+        "added-to", fmt::format("something was added to `{}` behind the end of the run", text::shown(path))));
+  return Held{entries, last};
+}
+
 // @errors  it holds something else
-text::Result<std::size_t> held_of(const std::string& path, const std::vector<wire::HistoryEntry>& entries) {
+text::Result<Held> held_of(const std::string& path, const std::vector<wire::HistoryEntry>& entries) {
   auto reader = mcap::Reader::open(path);
   if (!reader) return std::unexpected(reader.error());
-  const auto differs = std::unexpected(problem_with(
-      "other-run", fmt::format("what is in `{}` is not the beginning of this run", text::shown(path))));
   std::size_t count = 0;
   std::size_t last = 0;
+  std::size_t end = 0;  // number of the message that ends the run; 0: there is none
   mcap::Messages messages = reader->messages();
+  wire::HistoryEntry found;
   for (auto one = messages.next();; one = messages.next()) {
     if (!one) return std::unexpected(one.error());
     if (*one == nullptr) break;
     const std::size_t number = (**one).sequence;
-    if (number == 0 || number > entries.size()) return differs;
-    const std::string wanted = entries[number - 1].SerializeAsString();
-    if (!std::ranges::equal(std::as_bytes(std::span(wanted)), (**one).data)) return differs;
+    const bool is_known = number > 0 && number <= entries.size();
+    const std::string wanted = is_known ? entries[number - 1].SerializeAsString() : std::string();
     ++count;
     last = std::max(last, number);
+    if (is_known && std::ranges::equal(std::as_bytes(std::span(wanted)), (**one).data)) continue;
+    if (number == 0 || end != 0 || !parse(**one, found)) return other_run(path);
+    if (!found.has_end())
+      return is_known ? std::unexpected(difference(path, entries[number - 1], found)) : other_run(path);
+    end = number;
   }
-  return count == last ? text::Result<std::size_t>(count) : differs;
+  if (count != last || (end != 0 && end != last)) return other_run(path);
+  return end == 0 ? text::Result<Held>(Held{count}) : without_end(path, reader->summary(), count - 1);
 }
 
 }  // namespace
@@ -102,16 +142,18 @@ text::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::go_on(
     const std::string& path, double started_at, const std::vector<wire::HistoryEntry>& entries) {
   const auto held = held_of(path, entries);
   if (!held) return std::unexpected(held.error());
-  auto resumed = mcap::Writer::resume(path);
-  if (!resumed || resumed->writer.summary().message_count != *held)
+  auto resumed = mcap::Writer::resume(path, {}, held->bytes);
+  const std::uint64_t stands = resumed ? resumed->writer.summary().message_count : 0;
+  if (!resumed || (held->bytes == UINT64_MAX ? stands != held->entries : stands > held->entries))
     return std::unexpected(
         problem_with("can-not-write", fmt::format("`{}` can't be gone on with{}", text::shown(path),
                                                   resumed ? "" : ": " + resumed.error().message)));
   std::unique_ptr<RecordingWriter> out(new RecordingWriter(path, started_at, std::move(resumed->writer)));
-  out->count_ = static_cast<std::uint32_t>(*held);
-  out->has_begun_ = std::ranges::any_of(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(*held),
-                                        &wire::HistoryEntry::has_beginning);
-  for (std::size_t i = *held; i < entries.size(); ++i) out->put(entries[i]);
+  out->count_ = static_cast<std::uint32_t>(stands);
+  out->has_begun_ =
+      std::ranges::any_of(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(stands),
+                          &wire::HistoryEntry::has_beginning);
+  for (std::size_t i = stands; i < entries.size(); ++i) out->put(entries[i]);
   out->flush();
   return out;
 }

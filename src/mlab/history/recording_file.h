@@ -27,9 +27,11 @@ class RecordingWriter {
   /// @param started_at  wall clock at run time 0, seconds since 1970-01-01 00:00 UTC
   static text::Result<std::unique_ptr<RecordingWriter>> create(const std::string& path, double started_at);
 
-  /// Goes on with a file whose writer was killed, and writes what is missing in it.
+  /// Goes on with a file whose writer was killed, or had ended it, and writes what is missing in it. The end
+  /// of the run that stands there is taken out.
   /// @param entries  all up to now
-  /// @errors  what stands there is not the beginning of `entries`; it is as it was then
+  /// @errors  what stands there is not the beginning of `entries`, but for an end; it is as it was then. The
+  ///          message says why it is not
   static text::Result<std::unique_ptr<RecordingWriter>> go_on(const std::string& path, double started_at,
                                                               const std::vector<wire::HistoryEntry>& entries);
 

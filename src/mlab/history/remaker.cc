@@ -65,10 +65,7 @@ std::unique_ptr<run::MissionRun> Remaker::begin(text::Diagnostics& sink) {
     if (!changes) return nullptr;
     settings.environment = std::move(*changes);
   }
-  settings.recorded = {[history = all_](std::function<std::uint64_t()> cycle) {
-                         return std::make_unique<RecordedRunner>(history, std::move(cycle));
-                       },
-                       beginning.is_in_real_time()};
+  settings.recorded = recorded();
   if (!beginning.vehicles().empty()) {
     settings.vehicles =
         [recorded = std::vector<std::string>(beginning.vehicles().begin(), beginning.vehicles().end())](
@@ -82,6 +79,31 @@ std::unique_ptr<run::MissionRun> Remaker::begin(text::Diagnostics& sink) {
 
 std::unique_ptr<run::MissionRun> Remaker::begin_again() const {
   return simulated::make_run(first_, settings_);
+}
+
+run::RunSettings::Recorded Remaker::recorded() const {
+  return {[history = all_](std::function<std::uint64_t()> cycle) {
+            return std::make_unique<RecordedRunner>(history, std::move(cycle));
+          },
+          history_.beginning().is_in_real_time()};
+}
+
+void Remaker::take_up(const Remaker& from, std::shared_ptr<const run::Crew> crew, std::size_t inputs) {
+  first_ = from.first_;
+  settings_ = from.settings_;
+  settings_.recorded = recorded();
+  crew_ = crew ? std::move(crew) : first_;
+  std::size_t next = inputs;
+  while (next > 0 && !history_.inputs()[next - 1].input.has_exchanged()) --next;
+  version_ =
+      next > 0 ? history_.inputs()[next - 1].input.exchanged().mission() : history_.beginning().mission();
+  text::Diagnostics known;  // it was read without errors before
+  static_cast<void>(read(version_, known));
+  for (; next < inputs; ++next) {
+    const wire::HistoryPosted& posted = history_.inputs()[next].input.posted();
+    if (posted.kind() == wire::HistoryPosted::TYPED && typed_ && typed_->first == posted.line())
+      typed_.reset();
+  }
 }
 
 // What texts are read with from now on.

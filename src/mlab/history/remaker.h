@@ -47,10 +47,17 @@ class Remaker {
   /// What came in, with what its texts mean now; to be asked in order.
   /// @return nothing where it can't be understood, which is said in `sink`
   std::optional<run::Input> understand(const wire::HistoryInput& input, text::Diagnostics& sink);
+  /// In place of `begin`: as one that has understood so much, with the programs of another one.
+  /// @param from    of a history that begins as this one does
+  /// @param crew    that the last exchange among these inputs brought; null: none was among them
+  /// @param inputs  of History::inputs, which `from` has understood
+  void take_up(const Remaker& from, std::shared_ptr<const run::Crew> crew, std::size_t inputs);
+  const ReplayTools& tools() const { return tools_; }
 
  private:
   using MissionPtr = std::shared_ptr<const mission::Mission>;
 
+  run::RunSettings::Recorded recorded() const;
   robot::ProgramSources prepare(const wire::HistoryMission& version);
   std::shared_ptr<const run::Crew> make(const wire::HistoryMission& version, const run::Crew* before,
                                         text::Diagnostics& sink);

@@ -32,6 +32,12 @@ std::unique_ptr<Replay> Replay::again() const {
   return out;
 }
 
+std::unique_ptr<Replay> Replay::branch(std::shared_ptr<const History> history, std::size_t inputs) const {
+  std::unique_ptr<Replay> out(new Replay(understood_->branch(std::move(history), inputs)));
+  out->own(out->understood_->remaker().begin_again());
+  return out;
+}
+
 void Replay::own(std::unique_ptr<run::MissionRun> run) {
   owned_ = std::move(run);
   run_ = owned_.get();

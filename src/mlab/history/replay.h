@@ -35,6 +35,10 @@ class Replay {
   /// own.
   std::unique_ptr<Replay> again() const;
 
+  /// Of another history, at its beginning, and of the same programs.
+  /// @param history  the first `inputs` of its History::inputs are those of this one
+  std::unique_ptr<Replay> branch(std::shared_ptr<const History> history, std::size_t inputs) const;
+
   /// Up to the next cycle, and what came in before it. False where there is none any more: at the history's
   /// end, or where they part.
   bool step();

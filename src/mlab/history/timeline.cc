@@ -42,6 +42,13 @@ std::unique_ptr<Timeline> Timeline::make(std::shared_ptr<const History> history,
   return std::unique_ptr<Timeline>(new Timeline(std::move(front), settings));
 }
 
+Timeline::Fork Timeline::fork(std::shared_ptr<const History> other, std::uint64_t cycle) const {
+  const Replay::Checkpoint* const kept = kept_.before(cycle);
+  Fork out{front_->again(), front_->branch(other, kept == nullptr ? 0 : kept->inputs)};
+  if (kept == nullptr || (!out.own->restore(*kept) && !out.other->restore(*kept))) return out;
+  return {front_->again(), front_->branch(std::move(other), 0)};
+}
+
 void Timeline::lay(const Replay& replay) {
   if (!why_slow_.empty() || kept_.has(replay.run().cycle())) return;
   const Stopwatch watch;

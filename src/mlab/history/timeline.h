@@ -41,6 +41,14 @@ class Timeline {
   /// The same run once more, at its beginning, for who wants to see each of its cycles.
   std::unique_ptr<Replay> again() const { return front_->again(); }
 
+  struct Fork {
+    std::unique_ptr<Replay> own;    ///< this run
+    std::unique_ptr<Replay> other;  ///< the other one
+  };
+  /// Both at the last checkpoint up to a cycle, or at their beginning where there is none.
+  /// @param other  a history that is this one up to the cycle, but for what came in after it
+  Fork fork(std::shared_ptr<const History> other, std::uint64_t cycle) const;
+
   /// Goes on with the first pass.
   /// @param seconds  that it may take, about; one cycle is computed in any case
   /// @return  true: there is more to do

@@ -26,6 +26,10 @@ class Understood {
   Remaker& remaker() { return remaker_; }
   /// @param index  of History::inputs; all before it are understood first
   const One& input(std::size_t index);
+  /// For another history, which begins as this one does: what is understood already is not read again, and
+  /// programs are the same.
+  /// @param inputs  so many of History::inputs, the first, are those of both
+  std::shared_ptr<Understood> branch(std::shared_ptr<const History> history, std::size_t inputs);
 
  private:
   std::shared_ptr<const History> history_;

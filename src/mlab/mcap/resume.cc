@@ -93,12 +93,13 @@ int Writer::State::go_on(Scan found, const Source& source) {
 }
 
 std::expected<Writer::Resumed, WriteError> Writer::resume(const std::string& path,
-                                                          const WriterOptions& options) {
+                                                          const WriterOptions& options,
+                                                          std::uint64_t most_bytes) {
   FileSink::Opened opened = FileSink::open(path);
   if (opened.sink == nullptr)
     return std::unexpected(not_resumed(path, opened.error, system_reason(opened.error)));
   const std::uint64_t size = opened.sink->size();
-  const auto source = source_of(opened.sink->descriptor(), size);
+  const auto source = source_of(opened.sink->descriptor(), std::min(size, most_bytes));
   const auto state_of = [&] { return std::make_unique<State>(std::move(opened.sink), path, options); };
   if (ends_before_header(*source)) {
     if (const int error = opened.sink->cut(0); error != 0)

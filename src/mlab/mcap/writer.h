@@ -63,8 +63,10 @@ class Writer {
   /// header does is begun anew.
   /// @errors  `ENOENT`, ...; `EWOULDBLOCK`: another process writes it; `EINVAL`: it is no MCAP file, or holds
   ///          what would be lost (chunks compressed by lz4, messages outside of chunks); it is as it was
-  static std::expected<Resumed, WriteError> resume(const std::string& path,
-                                                   const WriterOptions& options = {});
+  /// @param most_bytes  the file is taken as if it were cut off there, where it is longer: at the beginning
+  ///                    of a chunk that is not to stay
+  static std::expected<Resumed, WriteError> resume(const std::string& path, const WriterOptions& options = {},
+                                                   std::uint64_t most_bytes = UINT64_MAX);
 
   Writer(Writer&& from) noexcept;
   Writer& operator=(Writer&& from) noexcept;

@@ -14,6 +14,7 @@
 #include "mlab/console/run/told_effects.h"
 #include "mlab/console/session/request.h"
 #include "mlab/history/digest.h"
+#include "mlab/history/history_writer.h"
 #include "mlab/history/recorded_names.h"
 #include "mlab/history/recording_file.h"
 #include "mlab/run/report.h"
@@ -62,19 +63,27 @@ std::string why_it_stands(const run::MissionRun& run) {
 
 }  // namespace
 
-std::unique_ptr<OtherRun> OtherRun::make(std::unique_ptr<history::Replay> own,
-                                         std::shared_ptr<history::History> other,
-                                         const history::ReplayTools& tools, Settings settings,
-                                         text::Diagnostics& sink) {
-  if (!settings.is_recording) other->reach(other->last_cycle() + kFarAhead, settings.until);
+std::unique_ptr<OtherRun> OtherRun::compare(std::unique_ptr<history::Replay> own,
+                                            std::shared_ptr<const history::History> other,
+                                            const history::ReplayTools& tools, Settings settings,
+                                            text::Diagnostics& sink) {
   auto replay = history::Replay::make(std::move(other), tools, sink);
   if (!replay) return nullptr;
+  return std::unique_ptr<OtherRun>(new OtherRun(std::move(own), std::move(replay), std::move(settings)));
+}
+
+std::unique_ptr<OtherRun> OtherRun::depart(const history::Timeline& line,
+                                           std::shared_ptr<history::History> other, Settings settings,
+                                           text::Diagnostics& sink) {
+  other->reach(other->last_cycle() + kFarAhead, settings.until);
+  history::Timeline::Fork fork = line.fork(std::move(other), settings.known.cycle);
   // Whoever has written a text is told of its errors at once.
-  if (auto why = settings.is_recording ? std::nullopt : replay->why_not_understood(settings.from_cycle)) {
+  if (auto why = fork.other->why_not_understood(settings.from_cycle)) {
     sink.error("not-understood", {}, std::move(*why));
     return nullptr;
   }
-  return std::unique_ptr<OtherRun>(new OtherRun(std::move(own), std::move(replay), std::move(settings)));
+  return std::unique_ptr<OtherRun>(
+      new OtherRun(std::move(fork.own), std::move(fork.other), std::move(settings)));
 }
 
 OtherRun::OtherRun(std::unique_ptr<history::Replay> own, std::unique_ptr<history::Replay> other,
@@ -82,33 +91,19 @@ OtherRun::OtherRun(std::unique_ptr<history::Replay> own, std::unique_ptr<history
     : settings_(std::move(settings)), next_sample_(settings_.from) {
   sides_[kOwn].replay = std::move(own);
   sides_[kOther].replay = std::move(other);
+  for (Side& side : sides_) side.alarms = settings_.known.alarms;
   const auto robots =
       static_cast<double>(std::max<std::size_t>(1, sides_[kOther].replay->run().fleet().robots().size()));
   const double most = std::clamp(kMostPlaces / robots, kFewestSamples, kMostSamples);
   spacing_ = std::max(0.0, (settings_.until - settings_.from) / most);
-  if (!settings_.is_recording) begin_writing();
   begin_listening();
-}
-
-void OtherRun::begin_writing() {
-  run::MissionRun& run = sides_[kOther].replay->run();
-  const wire::HistoryBeginning& then = sides_[kOther].replay->history().beginning();
-  writer_ = std::make_unique<history::HistoryWriter>(
-      [this](const wire::HistoryEntry& entry) { entries_.push_back(entry); });
-  writer_->begin(run, {settings_.version,
-                       {then.overlay_folders().begin(), then.overlay_folders().end()},
-                       then.obstacle_seed(),
-                       then.started_at()});
-  writer_->note_cycle();
 }
 
 void OtherRun::begin_listening() {
   for (const std::size_t side : {kOwn, kOther}) {
     run::MissionRun& run = sides_[side].replay->run();
-    run.set_observer([this, side, &run](const mission::Effect& effect) {
-      if (side == kOther && writer_) writer_->see(effect);
-      tell_effect(run, effect, sides_[side].log);
-    });
+    run.set_observer(
+        [this, side, &run](const mission::Effect& effect) { tell_effect(run, effect, sides_[side].log); });
   }
 }
 
@@ -142,19 +137,24 @@ bool OtherRun::depart() {
   run::MissionRun& run = sides_[kOther].replay->run();
   takeovers_before_ = run.takeovers().size();
   awaits_takeover_ = settings_.takes_over;
-  for (const WhatIf::Parameter& one : settings_.parameters) {
-    for (const std::uint32_t robot : one.robots()) {
-      if (auto error = run.set_parameter({robot}, one.port(), one.value())) {
-        fail(*error);
-        return false;
-      }
-    }
+  if (const auto error = set_parameters(run)) {
+    fail(*error);
+    return false;
   }
   note_before(kOwn);
   note_before(kOther);
   next_sample_ = settings_.from;
   sample();
   return true;
+}
+
+std::optional<std::string> OtherRun::set_parameters(run::MissionRun& run) const {
+  for (const WhatIf::Parameter& one : settings_.parameters) {
+    for (const std::uint32_t robot : one.robots()) {
+      if (auto error = run.set_parameter({robot}, one.port(), one.value())) return error;
+    }
+  }
+  return std::nullopt;
 }
 
 // What each has driven before it departs is none of its future.
@@ -183,9 +183,8 @@ void OtherRun::step(std::size_t side) {
     end(side);
     return;
   }
-  sides_[side].alarms.look(replay.run(), sides_[side].log);
+  if (replay.run().cycle() > settings_.known.cycle) sides_[side].alarms.look(replay.run(), sides_[side].log);
   if (side != kOther) return;
-  if (writer_) writer_->note_cycle();
   if (std::exchange(awaits_takeover_, false) && replay.run().takeovers().size() == takeovers_before_)
     fail("robots that run can't go on with these programs at that moment");
 }
@@ -214,7 +213,7 @@ void OtherRun::end(std::size_t side) {
   else if (is_written(side))
     one.outcome = "cut off";
   else
-    one.outcome = side == kOther && writer_ ? why_it_stands(run) : "goes on";
+    one.outcome = side == kOther && !settings_.is_recording ? why_it_stands(run) : "goes on";
 }
 
 void OtherRun::fail(const std::string& problem) {
@@ -251,7 +250,6 @@ void OtherRun::finish() {
     }
   }
   told_ = told_apart(sides_[kOwn].log, sides_[kOther].log);
-  if (writer_) writer_->end(sides_[kOther].outcome == "goes on" ? "interrupted" : sides_[kOther].outcome);
 }
 
 // ---- what is kept
@@ -349,8 +347,37 @@ void OtherRun::encode(OtherFuture& out) const {
   }
 }
 
+// As `advance` computes it, with all that is told on the way.
+std::vector<wire::HistoryEntry> OtherRun::written() const {
+  std::vector<wire::HistoryEntry> out;
+  const std::unique_ptr<history::Replay> replay = sides_[kOther].replay->again();
+  run::MissionRun& run = replay->run();
+  history::HistoryWriter writer([&out](const wire::HistoryEntry& entry) { out.push_back(entry); });
+  const wire::HistoryBeginning& then = replay->history().beginning();
+  writer.begin(run, {settings_.version,
+                     {then.overlay_folders().begin(), then.overlay_folders().end()},
+                     then.obstacle_seed(),
+                     then.started_at()});
+  writer.note_cycle();
+  run.set_observer([&writer](const mission::Effect& effect) { writer.see(effect); });
+  bool has_stopped = false;
+  for (bool has_departed = false; !has_stopped;) {
+    if (!has_departed && run.cycle() == settings_.from_cycle) {
+      has_departed = true;
+      static_cast<void>(set_parameters(run));  // it was no error before
+    }
+    if (run.time() >= settings_.until - 1e-9) break;
+    has_stopped = !replay->step();
+    if (!has_stopped) writer.note_cycle();
+  }
+  if (!has_stopped && !run.moment().has_looked) run.look();
+  const std::string& outcome = sides_[kOther].outcome;
+  writer.end(outcome == "goes on" ? "interrupted" : outcome);
+  return out;
+}
+
 std::optional<std::string> OtherRun::save(FutureRecording& out) {
-  if (!writer_) return "it is a recording already";
+  if (settings_.is_recording) return "it is a recording already";
   if (is_under_way_) return "it is still being computed";
   if (!problem_.empty()) return "there is none: " + problem_;
   const ScratchFolder folder;
@@ -360,7 +387,7 @@ std::optional<std::string> OtherRun::save(FutureRecording& out) {
       history::RecordingWriter::create(path, sides_[kOther].replay->history().beginning().started_at());
   if (!file) return clean(file.error().message);
   const history::RecordedNames names(sides_[kOther].replay->run().crew()->mission->folder);
-  for (const wire::HistoryEntry& entry : entries_) (*file)->put(names.in_recording(entry));
+  for (const wire::HistoryEntry& entry : written()) (*file)->put(names.in_recording(entry));
   (*file)->close();
   if (!(*file)->problem().empty()) return clean((*file)->problem());
   std::ifstream in(path, std::ios::binary);

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "mlab/console.pb.h"
+#include "mlab/console/past/known_alarms.h"
 #include "mlab/console/past/told_apart.h"
 #include "mlab/console/run/alarms.h"
 #include "mlab/console/run/event_log.h"
-#include "mlab/history/history_writer.h"
 #include "mlab/history/replay.h"
+#include "mlab/history/timeline.h"
 #include "mlab/text/diagnostic.h"
 
 namespace mlab::console {
@@ -34,16 +35,24 @@ class OtherRun {
     std::vector<std::string> remarks;
     std::vector<WhatIf::Parameter> parameters;  ///< that are set where it departs
     bool takes_over = false;                    ///< programs are to be others there
+    KnownAlarms known = {};                     ///< before it departs
     std::string version;                        ///< of this program
   };
 
+  /// A recording beside the run on the line, both from their beginning.
   /// @param own    the run on the line, at its beginning
-  /// @param other  a history that goes no further than is known; it is computed on from there
   /// @return null where it can't be made, which is said in `sink`
-  static std::unique_ptr<OtherRun> make(std::unique_ptr<history::Replay> own,
-                                        std::shared_ptr<history::History> other,
-                                        const history::ReplayTools& tools, Settings settings,
-                                        text::Diagnostics& sink);
+  static std::unique_ptr<OtherRun> compare(std::unique_ptr<history::Replay> own,
+                                           std::shared_ptr<const history::History> other,
+                                           const history::ReplayTools& tools, Settings settings,
+                                           text::Diagnostics& sink);
+  /// A future of the run on the line: both are computed from the last checkpoint before they part.
+  /// @param other  its history, as of history::branch, which goes no further than is known; it is computed on
+  ///               from there
+  /// @return  likewise
+  static std::unique_ptr<OtherRun> depart(const history::Timeline& line,
+                                          std::shared_ptr<history::History> other, Settings settings,
+                                          text::Diagnostics& sink);
   OtherRun(const OtherRun&) = delete;
   OtherRun& operator=(const OtherRun&) = delete;
 
@@ -52,7 +61,7 @@ class OtherRun {
   bool advance(double seconds);
   bool is_under_way() const { return is_under_way_; }
   void encode(OtherFuture& out) const;
-  /// As a recording of its own.
+  /// As a recording of its own, for which it is computed once more, from the beginning.
   /// @errors  a sentence: there is none
   std::optional<std::string> save(FutureRecording& out);
 
@@ -71,9 +80,10 @@ class OtherRun {
   };
 
   OtherRun(std::unique_ptr<history::Replay> own, std::unique_ptr<history::Replay> other, Settings settings);
-  void begin_writing();
   void begin_listening();
   bool depart();
+  std::optional<std::string> set_parameters(run::MissionRun& run) const;
+  std::vector<wire::HistoryEntry> written() const;
   void step_behind();
   void step(std::size_t side);
   void end(std::size_t side);
@@ -89,8 +99,6 @@ class OtherRun {
 
   const Settings settings_;
   Side sides_[2];  // the run on the line, and the other one
-  std::unique_ptr<history::HistoryWriter> writer_;
-  std::vector<wire::HistoryEntry> entries_;
   bool is_under_way_ = true;
   bool has_departed_ = false;
   std::size_t takeovers_before_ = 0;

@@ -57,6 +57,7 @@ PastRun::PastRun(std::shared_ptr<history::History> history, Settings settings,
   timeline_->set_observer([this](const mission::Effect& effect) { notes_.see(effect); });
   timeline_->set_watcher([this](const run::MissionRun& run) {
     notes_.look(true);
+    alarms_.note(run.cycle(), notes_.alarms());
     times_.push_back(run.time());
   });
 }

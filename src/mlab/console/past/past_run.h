@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mlab/console.pb.h"
+#include "mlab/console/past/known_alarms.h"
 #include "mlab/console/past/past_texts.h"
 #include "mlab/console/past/survey.h"
 #include "mlab/console/published/frame_encoder.h"
@@ -88,6 +89,9 @@ class PastRun {
   /// @errors  a sentence
   std::optional<std::string> show(std::uint64_t cycle) { return go_to(cycle); }
 
+  /// What was known of robots by a moment before the end of that cycle, which was shown.
+  KnownAlarms known_alarms(std::uint64_t cycle) const { return alarms_.before(cycle); }
+
   /// Moments up to here are at hand [s].
   double known_to() const { return times_.back(); }
   const history::Timeline& timeline() const { return *timeline_; }
@@ -121,6 +125,7 @@ class PastRun {
   std::unique_ptr<history::Timeline> timeline_;
   EventLog log_;
   RunNotes notes_;             // of the first pass
+  AlarmsOverTime alarms_;      // likewise
   std::vector<double> times_;  // at the end of each cycle that the first pass has made [s]
   RobotRows rows_;
   std::shared_ptr<const run::Crew> version_;  // whose texts these are:

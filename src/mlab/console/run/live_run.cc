@@ -29,8 +29,11 @@ LiveRun::~LiveRun() {
 void LiveRun::tell_recording() {
   if (const std::string& path = recorder_->path(); path != told_path_) {
     told_path_ = path;
-    log_->add(run_->time(),
-              {Log::MESSAGE, fmt::format("this run is recorded in {}", path), 0, "", {}, false});
+    std::string text = fmt::format("this run is recorded in {}", path);
+    if (recorder_->is_same_file()) text = fmt::format("this run goes on being recorded in {}", path);
+    if (const std::string& why = recorder_->why_anew(); !why.empty())
+      text = fmt::format("this run is recorded anew from its beginning, in {}: {}", path, why);
+    log_->add(run_->time(), {Log::MESSAGE, std::move(text), 0, "", {}, false});
   }
   if (const std::string& problem = recorder_->problem(); problem != told_problem_) {
     told_problem_ = problem;
@@ -81,6 +84,7 @@ void LiveRun::note_recomputed_cycle(bool is_known) {
 void LiveRun::go_on_in(EventLog& log) {
   log_ = &log;
   notes_.go_on_in(log);
+  if (recorder_) tell_recording();  // it stands: nobody would be told otherwise until it goes on
 }
 
 bool LiveRun::was_started() const {

@@ -120,8 +120,8 @@ std::expected<std::unique_ptr<OtherRun>, std::string> future_of(const WhatIf& as
   if (!branch) return std::unexpected(std::move(branch.error()));
   settings.takes_over = branch->takes_over;
   text::Diagnostics problems;
-  auto out = OtherRun::make(past.timeline().again(), std::move(branch->history), tools, std::move(settings),
-                            problems);
+  settings.known = past.known_alarms(run.cycle());
+  auto out = OtherRun::depart(past.timeline(), std::move(branch->history), std::move(settings), problems);
   if (!out) return std::unexpected(first_problem(problems));
   return out;
 }
@@ -318,32 +318,33 @@ void OtherFutures::compare(const OpenRecording& with) {
   compared_->told.set_name(clean(with.name));
   compared_->told.set_is_recording(true);
   compared_->told.set_is_under_way(true);
-  parts_.look_backs.with_past([this, with, one = compared_,
-                               tools = parts_.look_backs.tools()](PastRun* past) {
-    OtherFuture failed = one->told;
-    failed.set_is_under_way(false);
-    if (past == nullptr) {
-      failed.set_problem("the recording on the line can't be computed again");
-    } else {
-      OtherRun::Settings settings;
-      settings.name = with.name;
-      settings.is_recording = settings.is_of_recording = true;
-      settings.until = std::max(with.history->last_time(), past->history().last_time());
-      settings.version = tools.version;
-      settings.remarks = remarks_on(past->history(), *with.history);
-      text::Diagnostics problems;
-      one->run = OtherRun::make(past->timeline().again(), with.history, tools, std::move(settings), problems);
-      if (!one->run) failed.set_problem(first_problem(problems));
-    }
-    parts_.inbox.post(
-        [this, one, failed] {
-          if (one->run)
-            keep_on({}, one);
-          else
-            take({}, one, failed);
-        },
-        Inbox::Kind::kDuringCycle);
-  });
+  parts_.look_backs.with_past(
+      [this, with, one = compared_, tools = parts_.look_backs.tools()](PastRun* past) {
+        OtherFuture failed = one->told;
+        failed.set_is_under_way(false);
+        if (past == nullptr) {
+          failed.set_problem("the recording on the line can't be computed again");
+        } else {
+          OtherRun::Settings settings;
+          settings.name = with.name;
+          settings.is_recording = settings.is_of_recording = true;
+          settings.until = std::max(with.history->last_time(), past->history().last_time());
+          settings.version = tools.version;
+          settings.remarks = remarks_on(past->history(), *with.history);
+          text::Diagnostics problems;
+          one->run =
+              OtherRun::compare(past->timeline().again(), with.history, tools, std::move(settings), problems);
+          if (!one->run) failed.set_problem(first_problem(problems));
+        }
+        parts_.inbox.post(
+            [this, one, failed] {
+              if (one->run)
+                keep_on({}, one);
+              else
+                take({}, one, failed);
+            },
+            Inbox::Kind::kDuringCycle);
+      });
 }
 
 }  // namespace mlab::console

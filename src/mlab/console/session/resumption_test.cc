@@ -53,6 +53,8 @@ TEST_F(ResumptionTest, BringsBackTheRunWithAllThatPeopleDid) {
   TestSession session("", 1.0, [&](SessionSettings& s) { resume(s); });
   Browser anna(session, "Anna");
   ASSERT_TRUE(is_back(anna));
+  EXPECT_TRUE(anna.wait([&] { return anna.has_log("this run goes on being recorded in"); }));
+  EXPECT_EQ(history::Shelf(project_.path("runs").string()).runs().size(), 1U) << "one run, one recording";
   EXPECT_GE(anna.status().time(), time);
   EXPECT_DOUBLE_EQ(anna.status().speed(), 20.0);
   for (const char* said : {"Anna: execute", "Anna typed: OBSTACLE 300 400 8", "base_velocity", "teleoperate"})
