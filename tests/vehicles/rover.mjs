@@ -12,7 +12,7 @@ import { createInterface } from "node:readline";
 
 const [folder, port, speedUp, ...settings] = process.argv.slice(2);
 const require = createRequire(`${folder}/`);
-const { MavLinkPacketParser, MavLinkPacketSignature, MavLinkPacketSplitter, MavLinkProtocolV2, ardupilotmega, common, minimal } =
+const { MavLinkPacketParser, MavLinkPacketSignature, MavLinkPacketSplitter, MavLinkProtocolV2, ardupilotmega, common, minimal, standard } =
   require("node-mavlink");
 
 const registry = { ...minimal.REGISTRY, ...common.REGISTRY, ...ardupilotmega.REGISTRY };
@@ -90,9 +90,9 @@ const commands = {
     return 0;
   },
   512: (message) => {
-    if (message._param1 !== common.AutopilotVersion.MSG_ID) return 3;
+    if (message._param1 !== standard.AutopilotVersion.MSG_ID) return 3;
     const flightCustomVersion = [...Buffer.from("9c2f1e4a")];
-    send(common.AutopilotVersion, { capabilities: 0n, uid: 0n, flightSwVersion: 0x040507ff, middlewareSwVersion: 0, osSwVersion: 0, boardVersion: 0, vendorId: 0, productId: 0, flightCustomVersion, middlewareCustomVersion: Array(8).fill(0), osCustomVersion: Array(8).fill(0), uid2: Array(18).fill(0) });
+    send(standard.AutopilotVersion, { capabilities: 0n, uid: 0n, flightSwVersion: 0x040507ff, middlewareSwVersion: 0, osSwVersion: 0, boardVersion: 0, vendorId: 0, productId: 0, flightCustomVersion, middlewareCustomVersion: Array(8).fill(0), osCustomVersion: Array(8).fill(0), uid2: Array(18).fill(0) });
     return 0;
   },
 };

@@ -111,7 +111,9 @@ void Control::note_asking(const Request& request, Time now) {
 }
 
 void Control::note_answer(const CommandAck& message, Time now) {
-  if (message.command != kDoSetMode || unanswered_ == 0 || --unanswered_ > 0) return;
+  if (message.command != kDoSetMode || unanswered_ == 0) return;
+  --unanswered_;
+  if (unanswered_ > 0) return;
   answered_at_ = now;
   has_granted_ = is_guided_asked_ && static_cast<Result>(message.result) == Result::kAccepted;
 }

@@ -88,26 +88,26 @@ class Control {
   void begin_stopping(Time now);
 
   vehicle::Clock::duration command_lasts_;
-  Wish wish_ = Wish::kNone;
   vehicle::Command command_;
   Time commanded_at_;
   Time stop_asked_at_;
   Time stopping_since_;
+  Wish wish_ = Wish::kNone;
   bool is_emergency_ = false;  // what it is to stop for
   bool has_stopped_ = false;
   bool is_engaged_ = false;
-  bool has_it_armed_ = false;          // it was engaged, and nothing of ours has disarmed it since
-  std::optional<Time> held_at_;        // when HOLD was asked for last, and may show itself yet
-  bool is_hold_seen_ = false;          // since then
-  std::optional<Time> mode_asked_at_;  // last
-  bool is_guided_asked_ = false;       // it was GUIDED
+  bool has_it_armed_ = false;     // it was engaged, and nothing of ours has disarmed it since
+  bool is_hold_seen_ = false;     // since HOLD was asked for last
+  bool is_guided_asked_ = false;  // GUIDED is the mode that was asked for last
+  bool has_granted_ = false;      // the last answer: that is accepted
+  bool is_reclaimed_ = false;
   int unanswered_ = 0;                 // modes that were asked for
+  std::optional<Time> held_at_;        // when HOLD was asked for last, and may show itself yet
+  std::optional<Time> mode_asked_at_;  // last
   std::optional<Time> answered_at_;    // the last of them
-  bool has_granted_ = false;           // the last answer: GUIDED, which was asked for last, is accepted
   std::optional<Time> stand_until_;
   std::optional<Time> let_go_at_;
   std::string taken_;
-  bool is_reclaimed_ = false;
   std::string refusal_;
   std::optional<Time> set_point_at_;
   Request guided_{kDoSetMode, 1.0F, static_cast<float>(Mode::kGuided), 0, {}};
