@@ -91,12 +91,12 @@ TEST_F(MavlinkPeer, IsArmedDrivenStoppedAndLeftToWhoTakesIt) {
   EXPECT_EQ(rover.ask()["armed"], true);
   const auto motion = [&] { return device->report(fast_now()).motion.value_or(vehicle::Motion{}); };
 
-  // North, which is our y.
-  EXPECT_TRUE(until(
-      *device, 20.0, [&] { return motion().pose.position.y > 2.0; },
-      [&] { device->drive({1.0, 0.0}, fast_now()); }));
+  // North, which is our y. Where a busy machine keeps us from driving, the rover stands meanwhile.
+  const auto goes_north = [&] {
+    return motion().pose.position.y > 2.0 && std::abs(motion().speed - 1.0) < 0.01;
+  };
+  EXPECT_TRUE(until(*device, 20.0, goes_north, [&] { device->drive({1.0, 0.0}, fast_now()); }));
   EXPECT_NEAR(motion().pose.position.x, 0.0, 1e-3);
-  EXPECT_NEAR(motion().speed, 1.0, 0.01);
   // To the left, which is west.
   EXPECT_TRUE(until(
       *device, 20.0, [&] { return motion().pose.heading > std::numbers::pi * 0.9; },
