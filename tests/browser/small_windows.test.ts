@@ -47,7 +47,7 @@ test("the emergency stop, the state of the run and questions lie within every wi
 });
 
 test("on a telephone a panel lies over the map, and goes again", async () => {
-  const { console } = await begin({ mission: "demo_c", size: { width: 390, height: 844 } });
+  const { console, mlab } = await begin({ mission: "demo_c", size: { width: 390, height: 844 } });
   await console.reaches("Ready");
   await expectWithin(console.map.locator("xpath=.."));
   for (const title of ["Robots", "Selection"]) {
@@ -57,6 +57,14 @@ test("on a telephone a panel lies over the map, and goes again", async () => {
     await panel.getByRole("button", { name: `Close ${title}` }).click();
     await panel.waitFor({ state: "detached" });
   }
+  // Who watches is told so, and reads the head of a panel nevertheless.
+  const watching = await look(mlab, { width: 390, height: 844 });
+  const told = watching.page.getByText("You are watching.");
+  await told.waitFor();
+  const panel = await watching.panel("Robots");
+  await told.waitFor({ state: "hidden" });
+  await panel.getByRole("button", { name: "Close Robots" }).click();
+  await told.waitFor();
 });
 
 test("tabs, orders of robots and the command line have room in the smallest windows", async () => {

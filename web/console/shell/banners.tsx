@@ -157,7 +157,7 @@ function WatchingBanner() {
   const holder = clients.clients.find((client) => client.id === clients.operator);
   const hasAsked = clients.asks === welcome.client;
   return (
-    <Banner tone="accent">
+    <Banner tone="accent" isYielding>
       <Icon name="lock" />
       <span className="grow">
         You are watching.{" "}

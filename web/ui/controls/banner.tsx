@@ -6,11 +6,13 @@ interface BannerProps {
   children: ReactNode;
   /** `alert` is said at once to who listens to the page. */
   role?: "status" | "alert";
+  /** On a narrow page a panel hides it: what it says is said elsewhere, too, and it would lie over the panel's head. */
+  isYielding?: boolean;
 }
 
-export function Banner({ tone, children, role = "status" }: BannerProps) {
+export function Banner({ tone, children, role = "status", isYielding = false }: BannerProps) {
   return (
-    <div className={`banner ${tone}`} role={role}>
+    <div className={`banner ${tone}${isYielding ? " yielding" : ""}`} role={role}>
       {children}
     </div>
   );
