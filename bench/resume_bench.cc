@@ -91,7 +91,7 @@ std::unique_ptr<run::MissionRun> run_of(const Case& one) {
 double carry_out(const Case& one, double seconds, const std::string& folder, bool with_journal) {
   const auto run = run_of(one);
   if (!run) return 0.0;
-  const std::string recording = folder + "/run.mcap";
+  std::string recording = folder + "/run.mcap";
   fs::remove(recording);
   std::unique_ptr<journal::Journal> journal;
   if (with_journal) {
