@@ -61,7 +61,7 @@ bool Readings::take(const Attitude& message, Time now) {
   if (hear(0, message.time_boot_ms, now, is_new)) return true;
   if (!is_new) return false;
   keep(turned_, Turning{base::wrap_angle(kPi / 2.0 - message.yaw), -message.yawspeed, message.time_boot_ms});
-  comes_in_one_go_ = comes_in_one_go_ || newest_pair();
+  notice_how_it_comes();
   return false;
 }
 
@@ -77,7 +77,7 @@ bool Readings::take(const LocalPositionNed& message, Time now) {
   const Moving next{{message.y, message.x}, {message.vy, message.vx}, message.time_boot_ms};
   notice_jump(next, now);
   keep(moved_, next);
-  comes_in_one_go_ = comes_in_one_go_ || newest_pair();
+  notice_how_it_comes();
   return false;
 }
 
@@ -237,14 +237,28 @@ std::optional<std::pair<Readings::Turning, Readings::Moving>> Readings::newest_p
   return std::nullopt;
 }
 
+// Vehicles send both by timers of their own, which may part and meet.
+void Readings::notice_how_it_comes() {
+  constexpr std::ptrdiff_t kNoLoss = 4;  // of each without the other: that is not what got lost
+  const auto pair = newest_pair();
+  const auto after_it = [&](const auto& past) {
+    const std::uint32_t last = pair ? std::max(pair->first.boot_ms, pair->second.boot_ms) : 0;
+    return std::ranges::count_if(past, [&](const auto& one) { return !pair || one.boot_ms > last; });
+  };
+  if (after_it(turned_) >= kNoLoss && after_it(moved_) >= kNoLoss)
+    comes_in_one_go_ = false;
+  else
+    comes_in_one_go_ = comes_in_one_go_ || pair;
+}
+
 std::optional<vehicle::Motion> Readings::motion(Time now) const {
   if (turned_.empty() || moved_.empty()) return std::nullopt;
-  auto told = newest_pair();
+  auto told = comes_in_one_go_ ? newest_pair() : std::nullopt;
   if (!told) {
     if (comes_in_one_go_) return std::nullopt;  // one of both got lost each time
     const std::uint32_t both = std::min(turned_.back().boot_ms, moved_.back().boot_ms);
     told = {sample_at(turned_, both), sample_at(moved_, both)};
-    told->first.boot_ms = both;
+    told->first.boot_ms = told->second.boot_ms = both;
   }
   const auto& [turning, moving] = *told;
   vehicle::Motion out;

@@ -87,6 +87,7 @@ class Readings {
   static Moving between(const Moving& a, const Moving& b, double share);
 
   bool hear(std::uint32_t kind, std::uint32_t boot_ms, Time now, bool& is_new);
+  void notice_how_it_comes();
   void notice_jump(const Moving& next, Time now);
   void keep(vehicle::Scan scan);
 

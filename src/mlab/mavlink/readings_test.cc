@@ -88,6 +88,29 @@ TEST(Readings, TellPlaceAndHeadingOfOneMomentWhereTheyAreSaidByTurns) {
   EXPECT_NEAR(readings.motion(at(100))->pose.heading, kPi / 2 - 0.25, 1e-6);
 }
 
+TEST(Readings, TellPlaceAndHeadingAlsoWhereTheyPartAndMeetAgain) {
+  Readings readings({}, 2.0);
+  const auto go_on = [&](std::uint32_t from, std::uint32_t apart) {
+    for (std::uint32_t ms = from; ms < from + 2000; ms += 100) {
+      const int now = static_cast<int>(ms + apart);
+      readings.take(attitude(ms, static_cast<float>(ms) / 10'000.0F), at(static_cast<int>(ms)));
+      readings.take(position(ms + apart, static_cast<float>(ms + apart) / 1000.0F, 0), at(now));
+      const auto motion = readings.motion(at(now));
+      ASSERT_TRUE(motion) << ms;
+      if (ms >= from + 500) {
+        EXPECT_GE(motion->at, at(now - 100)) << ms;
+      }
+      const double told = std::chrono::duration<double>(motion->at - kBegin).count();
+      EXPECT_NEAR(motion->pose.position.y, told, 1e-3) << ms;
+      EXPECT_NEAR(motion->pose.heading, kPi / 2 - told / 10.0, 1e-3) << ms;
+    }
+  };
+  go_on(0, 0);
+  go_on(2000, 50);
+  go_on(4000, 0);
+  go_on(6000, 35);
+}
+
 TEST(Readings, KnowWhichPointOfTheRoversFrameIsWhereOnTheEarth) {
   Readings readings({}, 2.0);
   GlobalPositionInt place;
