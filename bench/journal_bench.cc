@@ -3,14 +3,13 @@
 //
 //     build/bench/bin/journal_bench [ROBOTS] [SECONDS]
 
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include <fmt/core.h>
 
-#include "mlab/history/recorder.h"
+#include "journalled_run.h"
 #include "mlab/history/replay.h"
 #include "mlab/journal/journal.h"
 #include "mlab/lang/mdl/mdl.h"
@@ -20,12 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace mlab;
-
-double cpu_seconds() {
-  std::timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
+using bench::cpu_seconds;
 
 std::unique_ptr<run::MissionRun> run_of(int robots) {
   std::string text = "MISSION-AREA 100000 3000\nUNIT <all>";
@@ -38,39 +32,13 @@ std::unique_ptr<run::MissionRun> run_of(int robots) {
   return run;
 }
 
-// @param folder  of the journal; empty: there is none
-// @param apart   cycles between two writes of how far the run has come
-double carry_out(int robots, std::uint64_t cycles, const std::string& folder, std::uint64_t apart) {
+// @param journal  empty: there is none
+double carry_out(int robots, std::uint64_t cycles, const std::string& recording, const std::string& journal) {
   const auto run = run_of(robots);
   if (!run) return 0.0;
-  std::unique_ptr<journal::Journal> journal;
-  if (!folder.empty()) {
-    auto made = journal::Journal::create(folder + "/run.journal");
-    if (made) journal = std::move(*made);
-  }
-  journal::Batch batch;
-  wire::JournalSession session;
-  session.set_mission("bench.mdl");
-  batch.session = session.SerializeAsString();
-  history::Recorder recorder(
-      [&] { return fs::path(fs::temp_directory_path() / "journal_bench.mcap").string(); }, *run,
-      {"bench", {}, 1, 0.0},
-      [&](const wire::HistoryEntry& entry) {
-        if (journal && !entry.has_poses() && !entry.has_event())
-          batch.entries.push_back(entry.SerializeAsString());
-      });
-  const double began = cpu_seconds();
-  run->post(mission::event::Execute{});
-  while (run->cycle() < cycles && run->step() == run::MissionRun::Progress::kStepped) {
-    recorder.note_cycle();
-    if (!journal || run->cycle() % apart != 0) continue;
-    batch.progress.emplace();
-    batch.progress->set_cycle(run->cycle());
-    batch.progress->set_time(run->time());
-    if (const auto written = journal->write(batch); !written) fmt::print(stderr, "{}\n", written.error());
-    batch = {};
-  }
-  return cpu_seconds() - began;
+  fs::remove(recording);
+  // Twice a second at the console's usual speed of 10.
+  return bench::carry_out(*run, cycles, {"bench.mdl", recording, journal, 50});
 }
 
 }  // namespace
@@ -83,11 +51,8 @@ int main(int argc, char** argv) {
   fs::remove_all(folder);
   fs::create_directories(folder);
   const std::string recording = (fs::temp_directory_path() / "journal_bench.mcap").string();
-  fs::remove(recording);
-  const double without = carry_out(robots, cycles, "", 1);
-  fs::remove(recording);
-  // Twice a second at the console's usual speed of 10.
-  const double with = carry_out(robots, cycles, folder, 50);
+  const double without = carry_out(robots, cycles, recording, "");
+  const double with = carry_out(robots, cycles, recording, folder + "/run.journal");
   fs::remove(recording);
   fmt::print(
       "{} robots, {} s: {:.2f} s of processor time with recording, {:.2f} s with a journal, too ({:+.2f} "

@@ -6,9 +6,9 @@
 //     build/bench/bin/resume_bench [SECONDS]
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -16,11 +16,11 @@
 
 #include <fmt/core.h>
 
+#include "journalled_run.h"
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/cell/testing/permission.h"
 #include "mlab/console/run/resumed_run.h"
 #include "mlab/history/branch.h"
-#include "mlab/history/recorder.h"
 #include "mlab/history/replay.h"
 #include "mlab/history/timeline.h"
 #include "mlab/journal/journal.h"
@@ -32,18 +32,13 @@ namespace mlab::console {
 namespace {
 
 namespace fs = std::filesystem;
+using bench::cpu_seconds;
 
 struct Case {
   const char* name;
   const char* folder;  ///< in missions/
   std::string mission;
 };
-
-double cpu_seconds() {
-  std::timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
 
 // Two commands in turn, for longer than the run is.
 std::string to_and_fro(std::string begin, const std::string& there, const std::string& back) {
@@ -85,41 +80,16 @@ std::unique_ptr<run::MissionRun> run_of(const Case& one) {
   return run;
 }
 
-// The run as the console carries it out: recorded, and with a journal written twice a second at its usual
-// speed of 10. Then it is left as a kill leaves it.
 // @return  processor time [s]
 double carry_out(const Case& one, double seconds, const std::string& folder, bool with_journal) {
   const auto run = run_of(one);
   if (!run) return 0.0;
-  std::string recording = folder + "/run.mcap";
+  const std::string recording = folder + "/run.mcap";
   fs::remove(recording);
-  std::unique_ptr<journal::Journal> journal;
-  if (with_journal) {
-    if (auto made = journal::Journal::create(folder + "/run.journal")) journal = std::move(*made);
-  }
-  journal::Batch batch;
-  wire::JournalSession session;
-  session.set_mission("resume_bench.mdl");
-  session.set_recording(recording);
-  batch.session = session.SerializeAsString();
-  history::Recorder recorder([&] { return recording; }, *run, {"bench", {}, 1, 0.0},
-                             [&](const wire::HistoryEntry& entry) {
-                               if (journal && !entry.has_poses() && !entry.has_event() && !entry.has_end())
-                                 batch.entries.push_back(entry.SerializeAsString());
-                             });
-  run->set_observer([&](const mission::Effect& effect) { recorder.see(effect); });
-  const double began = cpu_seconds();
-  run->post(mission::event::Execute{});
-  while (run->time() < seconds && run->step() == run::MissionRun::Progress::kStepped) {
-    recorder.note_cycle();
-    if (!journal || run->cycle() % 50 != 0) continue;
-    batch.progress.emplace();
-    batch.progress->set_cycle(run->cycle());
-    batch.progress->set_time(run->time());
-    if (const auto written = journal->write(batch); !written) fmt::print(stderr, "{}\n", written.error());
-    batch = {};
-  }
-  return cpu_seconds() - began;
+  const auto cycles = static_cast<std::uint64_t>(std::lround(seconds / run->cycle_duration()));
+  // Twice a second at the console's usual speed of 10.
+  return bench::carry_out(*run, cycles,
+                          {"resume_bench.mdl", recording, with_journal ? folder + "/run.journal" : "", 50});
 }
 
 // Until both runs are where they depart, in its last twentieth.
