@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -22,6 +24,12 @@ namespace {
 using enum vehicle::CheckResult;
 
 constexpr std::string_view kSpeeds[] = {"max_velocity", "base_velocity"};  // parameters of programs [m/s]
+
+// The more, the sooner somebody has to look at it.
+int concern_of(const Item& item) {
+  constexpr int kConcerns[] = {0, 2, 3, 1};  // of pass, warn, fail, unknown
+  return kConcerns[static_cast<std::size_t>(item.result)];
+}
 
 const std::string& host_of(const mission::Mission& mission, const mission::Robot& robot) {
   return mission.types[robot.type].host;
@@ -126,13 +134,8 @@ bool Checklist::is_needed() const {
 }
 
 CheckResult Checklist::worst() const {
-  constexpr int kRanks[] = {0, 2, 3, 1};  // of pass, warn, fail, unknown
-  const auto rank = [&](CheckResult result) { return kRanks[static_cast<std::size_t>(result)]; };
-  CheckResult out = kPass;
-  for (const Item& one : items) {
-    if (rank(one.result) > rank(out)) out = one.result;
-  }
-  return out;
+  const auto worst = std::ranges::max_element(items, {}, concern_of);
+  return worst == items.end() ? kPass : worst->result;
 }
 
 std::vector<std::string> hosts_of(const mission::Mission& mission) {
@@ -183,9 +186,12 @@ Checklist assemble(const run::Crew& crew, const std::string& fleet, std::span<co
   for (const VehicleFacts* one : sorted)
     out.vehicles.push_back(
         {one->name, one->kind, one->session, one->version, one->is_simulated, wants.of(one->name).robots});
-  out.items = {robots_item(mission, out.vehicles), failsafe_item(mission), battery_item(mission)};
-  for (const VehicleFacts* one : sorted)
-    std::ranges::move(items_of(*one, wants.of(one->name), version), std::back_inserter(out.items));
+  const auto add = [&](std::vector<Item> items) {
+    std::ranges::stable_sort(items, std::greater(), concern_of);
+    std::ranges::move(items, std::back_inserter(out.items));
+  };
+  add({robots_item(mission, out.vehicles), failsafe_item(mission), battery_item(mission)});
+  for (const VehicleFacts* one : sorted) add(items_of(*one, wants.of(one->name), version));
   return out;
 }
 

@@ -93,7 +93,9 @@ struct Checklist {
   std::string fleet;
   std::string digest;  ///< of all texts that the mission is made from: 16 hexadecimal digits
   std::vector<CheckedVehicle> vehicles;  ///< by name
-  std::vector<Item> items;               ///< those of the mission first, then vehicle by vehicle
+  /// Those of the mission first, then vehicle by vehicle; of each what has failed first, then warnings, then
+  /// what nobody knows.
+  std::vector<Item> items;
   std::vector<ManualItem> manual;
 
   /// Nothing real moves, so nobody has to sign.
@@ -161,8 +163,7 @@ std::string why_it_does_not_hold(const SignedChecklist& checklist, const Checkli
 
 std::string_view word_of(CheckResult result);  ///< `pass`, `warn`, `FAIL`, `unknown`
 
-/// To be read in 80 columns: of the mission and of each vehicle what has failed first, then warnings, then
-/// what nobody knows.
+/// To be read in 80 columns.
 std::string text_of(const Checklist& checklist);
 
 /// docs/preflight.md says what is where.

@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <functional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -59,34 +57,15 @@ void add_item(std::string& out, const Item& item) {
   add_wrapped(out, std::string(indent, ' ') + "expected: ", item.expected, indent);
 }
 
-// The more, the sooner somebody has to look at it.
-int concern_of(CheckResult result) {
-  switch (result) {
-    case CheckResult::kPass:
-      return 0;
-    case CheckResult::kUnknown:
-      return 1;
-    case CheckResult::kWarn:
-      return 2;
-    case CheckResult::kFail:
-      return 3;
-  }
-  return 3;
-}
-
 std::string robots_of(const CheckedVehicle& vehicle) {
   return fmt::format("body of {} {}", vehicle.robots.size() == 1 ? "robot" : "robots",
                      fmt::join(vehicle.robots, ", "));
 }
 
 void add_items_of(std::string& out, const Checklist& checklist, const std::string& vehicle) {
-  std::vector<const Item*> items;
   for (const Item& one : checklist.items) {
-    if (one.vehicle == vehicle) items.push_back(&one);
+    if (one.vehicle == vehicle) add_item(out, one);
   }
-  // What has to be looked at first; the others in their order.
-  std::ranges::stable_sort(items, std::greater(), [](const Item* one) { return concern_of(one->result); });
-  for (const Item* one : items) add_item(out, *one);
 }
 
 }  // namespace

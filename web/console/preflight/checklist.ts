@@ -35,18 +35,13 @@ export interface Group {
   title: string;
   /** Below the title: what kind of vehicle it is, and whose body. */
   about: string;
-  /** What has failed first, then warnings; those that are alike in their order. */
   items: readonly Preflight_Item[];
   worst: Result;
 }
 
-function byConcern(a: Preflight_Item, b: Preflight_Item): number {
-  return kByConcern.indexOf(b.result) - kByConcern.indexOf(a.result);
-}
-
 export function groupsOf(checklist: Preflight, nameOf: (robot: number) => string): readonly Group[] {
   const group = (key: string, title: string, about: string): Group => {
-    const items = checklist.items.filter((item) => item.vehicle === key).sort(byConcern);
+    const items = checklist.items.filter((item) => item.vehicle === key);
     return { key, title, about, items, worst: worstOf(items) };
   };
   const vehicles = checklist.vehicles.map((vehicle) => {
