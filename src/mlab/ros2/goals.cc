@@ -89,7 +89,7 @@ std::optional<Goal> Goals::next(const vehicle::Command& command, const geom::Pos
   return Goal{*id_, stamp, frame, target.position.x, target.position.y, target.heading};
 }
 
-void Goals::is_answered(const GoalId& id) {
+void Goals::note_heard_of(const GoalId& id) {
   if (std::erase_if(unheard_, [&](const Sent& one) { return one.id == id; }) == 0) return;
   unanswered_since_.reset();
   if (problem_ == Problem::kNotTaken) problem_ = Problem::kNone;
@@ -122,7 +122,7 @@ void Goals::take(const std::vector<GoalStatus>& goals, Time now) {
   for (const GoalStatus& one : goals) {
     std::vector<GoalId>& whose = is_ours(one.id) ? ours_ : others_;
     if (is_gone_to(one.state) && whose.size() < kMostKept) whose.push_back(one.id);
-    if (is_ours(one.id)) is_answered(one.id);
+    if (is_ours(one.id)) note_heard_of(one.id);
     if (id_ && one.id == *id_) state = one.state;
   }
   look_for_others();
@@ -135,7 +135,7 @@ void Goals::take(const std::vector<GoalStatus>& goals, Time now) {
 void Goals::take(const Heard& heard, Time now) {
   if (heard.goals) take(*heard.goals, now);
   for (const GoalFeedback& one : heard.feedback) {
-    is_answered(one.id);
+    note_heard_of(one.id);
     if (id_ && one.id == *id_) is_held_up_ = one.recoveries > 0;
   }
   if (!id_) return;

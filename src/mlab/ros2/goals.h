@@ -65,7 +65,7 @@ class Goals {
   GoalId new_id();
   void take(const std::vector<GoalStatus>& goals, Time now);
   void take_state(GoalState state, Time now);
-  void is_answered(const GoalId& id);
+  void note_heard_of(const GoalId& id);
   void look_for_others();
 
   double look_ahead_;
