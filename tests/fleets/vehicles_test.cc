@@ -1,7 +1,12 @@
 // Robots whose bodies are vehicles of a fleet: processes of their own, on other machines, in real time.
 
+#include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <iterator>
+#include <limits>
+#include <string>
+#include <string_view>
 
 #include "fleets.h"
 
@@ -155,11 +160,20 @@ TEST_F(Vehicles, ThatAreKilledAreLostAndSaidToBe) {
   EXPECT_TRUE(far.wait(kFleetPatience));
 }
 
+// In a line `[    12.3 s] what`; infinite: there is none.
+double time_of(const std::string& output, std::string_view what) {
+  const std::size_t line = output.rfind('[', output.find(what));
+  double out = std::numeric_limits<double>::infinity();
+  if (output.contains(what) && line != std::string::npos) std::sscanf(output.c_str() + line, "[%lf s]", &out);
+  return out;
+}
+
 TEST_F(Vehicles, ObeyTheEmergencyStop) {
   make_network(74);
   const Process first = vehicle("north", "veh-1", "8,12,0");
   const Process second = vehicle("south", "veh-2", "8,18,0");
   const Process agent = this->agent("north");
+  const auto began = std::chrono::steady_clock::now();
   Process far = cross();
   ASSERT_TRUE(first.prints("a run drives it", kFleetPatience)) << far.output();
   Process stop = base().start({MLAB_COMMAND, "fleet", "alpha", "--network", base().address(), "--stop"});
@@ -172,6 +186,9 @@ TEST_F(Vehicles, ObeyTheEmergencyStop) {
   ASSERT_TRUE(release.wait(kFleetPatience));
   EXPECT_TRUE(first.prints("the emergency stop was released by base", kFleetPatience)) << first.output();
   EXPECT_FALSE(far.wait(1s)) << "the mission goes on: " << far.output();
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
+  EXPECT_LE(time_of(far.output(), "the emergency stop was released"), passed.count())
+      << "while bodies brake its clock goes no faster than ours: " << far.output();
   far.signal(SIGTERM);
   EXPECT_TRUE(far.wait(kFleetPatience));
 }

@@ -179,20 +179,20 @@ void settle_rallies(Turn& turn, std::span<const RobotReport> reports) {
   constexpr double kSettles = 5.0;  // so long nobody came nearer [s]
   constexpr double kBeside = 5.0;   // who was so much nearer has left again [m]
   State& s = turn.state;
-  const auto is_beside = [&](const RobotState& robot, const Run& run) {
-    const auto report = std::ranges::find(reports, robot.id, &RobotReport::id);
-    const double to_go = geom::distance(robot.pose.position, run.command->goal) - run.command->radius;
-    return report != reports.end() && report->is_running && report->done &&
-           report->sequence == robot.sequence && to_go <= std::max(robot.best, 0.0) + kBeside;
+  const auto is_beside = [&](const RobotReport& report, std::uint32_t run) {
+    const RobotState* robot = find_robot(s, report.id);
+    if (robot == nullptr || robot->run != run || robot->done || report.sequence != robot->sequence)
+      return false;
+    const UnitCommand& command = *s.runs[run].command;
+    const double to_go = geom::distance(robot->pose.position, command.goal) - command.radius;
+    return report.is_running && report.done && to_go <= std::max(robot->best, 0.0) + kBeside;
   };
   for (std::uint32_t i = 0; i < s.runs.size(); ++i) {
-    Run& run = s.runs[i];
+    const Run& run = s.runs[i];
     if (run.command->task != Task::kRally || !needs_patience(run) || run.stalled < kSettles) continue;
-    const bool is_settled = std::ranges::all_of(run.needed, [&](base::RobotId id) {
-      const RobotState* robot = find_robot(s, id);
-      return robot != nullptr && (robot->done || is_beside(*robot, run));
-    });
-    if (!is_settled || !is_taken(s, run)) continue;
+    const auto beside =
+        std::ranges::count_if(reports, [&](const RobotReport& report) { return is_beside(report, i); });
+    if (static_cast<std::uint32_t>(beside) < run.missing || !is_taken(s, run)) continue;
     message(turn,
             fmt::format("{}: something stands at the place; its robots are as near to it as they come",
                         s.commands[run.record].text),

@@ -165,7 +165,7 @@ inline constexpr std::array kTasks = {
             "diameter; that of an outline reaches from its centre to its farthest corner; coordinates and "
             "lines have 25 m",
         .done = "all robots that it is for are within the radius of the place at the same time, whatever "
-                "they say",
+                "they say; where an obstacle of the map stands there, all are as near as they come",
         .clauses = ClauseKind::kSpeed | ClauseKind::kOnCompletion | ClauseKind::kUntil,
         .label = "Rally",
         .purpose = "Each robot goes there by itself",

@@ -57,6 +57,7 @@ TEST(EmergencyStop, LetsEveryRobotStandFromTheNextCycleOn) {
   const auto run = running(two_robots());
   run->set_emergency_stop(true);
   EXPECT_EQ(run->step(), MissionRun::Progress::kStepped) << "bodies brake";
+  EXPECT_EQ(run->state().time, run->time()) << "no command is late by it";
   const double x = x_of(*run, 1);
   const double time = run->time();
   for (int i = 0; i < 20; ++i) EXPECT_EQ(run->step(), MissionRun::Progress::kWaits);
