@@ -176,6 +176,7 @@ TEST_F(Vehicles, ObeyTheEmergencyStop) {
   const auto began = std::chrono::steady_clock::now();
   Process far = cross();
   ASSERT_TRUE(first.prints("a run drives it", kFleetPatience)) << far.output();
+  ASSERT_FALSE(far.wait(1s)) << "all move: " << far.output();
   Process stop = base().start({MLAB_COMMAND, "fleet", "alpha", "--network", base().address(), "--stop"});
   ASSERT_TRUE(stop.wait(kFleetPatience));
   EXPECT_TRUE(first.prints("EMERGENCY STOP by base: all robots here stand", kFleetPatience))
