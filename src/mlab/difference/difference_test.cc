@@ -1,3 +1,4 @@
+#include <array>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -328,41 +329,44 @@ TEST(Difference, ComparesWhatCouldBeRead) {
             (Lines{"only what could be read was compared, and that is the same"}));
 }
 
-double seconds_for(const std::string& before, const std::string& after, std::size_t& found) {
-  const Text one(before);
-  const Text other(after);
-  return base::processor_seconds([&] { found = compare(one.version(), other.version()).meaning.size(); });
+// Of two texts each that `before` and `after` make, of `few` and of eight times as many things, of which so
+// many are `differing`.
+double growth_of_comparing(std::size_t few, std::string (*before)(std::size_t),
+                           std::string (*after)(std::size_t), std::size_t (*differing)(std::size_t)) {
+  const std::array<Text, 2> small = {Text(before(few)), Text(after(few))};
+  const std::array<Text, 2> large = {Text(before(8 * few)), Text(after(8 * few))};
+  const auto compare_them = [&](std::size_t count) {
+    const auto& [one, other] = count == few ? small : large;
+    EXPECT_EQ(compare(one.version(), other.version()).meaning.size(), differing(count));
+  };
+  return base::growth(compare_them, few);
 }
 
-std::string alike(int count) {
+std::string alike(std::size_t count) {
   std::string out = "assemblage A() -> Vector {\n  cooperate {\n";
-  for (int i = 0; i < count; ++i) out += "    1: Stand();\n";
+  for (std::size_t i = 0; i < count; ++i) out += "    1: Stand();\n";
   return out + "  }\n}\n";
 }
 
 TEST(Difference, OfThousandsThatAreAllAlikeTakesNoSquare) {
-  std::size_t found = 0;
-  const double small = seconds_for(alike(2'000), alike(1'999), found);
-  EXPECT_EQ(found, 1U);
-  const double large = seconds_for(alike(20'000), alike(19'999), found);
-  EXPECT_EQ(found, 1U);
-  EXPECT_LT(large, 40.0 * small + 0.5);
+  EXPECT_LT(growth_of_comparing(
+                10'000, alike, [](std::size_t count) { return alike(count - 1); },
+                [](std::size_t) { return std::size_t{1}; }),
+            base::kGrowthOfLine);
 }
 
-std::string many(const std::string& name, int count) {
+std::string many(const std::string& name, std::size_t count) {
   std::string out;
-  for (int i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i)
     out += fmt::format("assemblage {}{}() -> Vector {{ Noise(persistence = {} s) }}\n", name, i, i);
   return out;
 }
 
 TEST(Difference, OfThousandsThatWereRenamedTakesNoSquare) {
-  std::size_t found = 0;
-  const double small = seconds_for(many("A", 1'000), many("B", 1'000), found);
-  EXPECT_EQ(found, 1'000U);
-  const double large = seconds_for(many("A", 8'000), many("B", 8'000), found);
-  EXPECT_EQ(found, 8'000U);
-  EXPECT_LT(large, 25.0 * small + 0.5);
+  EXPECT_LT(growth_of_comparing(
+                1'000, [](std::size_t count) { return many("A", count); },
+                [](std::size_t count) { return many("B", count); }, [](std::size_t count) { return count; }),
+            base::kGrowthOfLine);
 }
 
 TEST(Difference, TellsWhichLetOfATestSaysSomethingElse) {
