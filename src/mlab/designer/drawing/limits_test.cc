@@ -3,7 +3,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,12 +19,6 @@ namespace fs = std::filesystem;
 using testing::LiveDesk;
 
 constexpr const char* kSmall = "assemblage One() {\n  Noise(persistence = 3 s)\n}\n";
-
-double seconds_of(const std::function<void()>& act) {
-  const auto begin = std::chrono::steady_clock::now();
-  act();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 std::string many_nodes(int nodes) {
   std::string out = "assemblage Many() {\n  cooperate {\n";
@@ -45,19 +38,15 @@ TEST(Limits, APageOfTwoThousandNodesIsEditedAndRun) {
   const std::string path = desk.write(many_nodes(2000));
   const Drawing drawing = desk.drawing(path, "Many");
   EXPECT_GE(drawing.nodes_size(), 1990);
-  const double took = seconds_of([&] {
-    const Answer answer = desk.ask([&](ToDesigner& m) {
-      m.mutable_edit()->set_document(path);
-      m.mutable_edit()->set_revision(desk.document(path).revision());
-      Rename& rename = *m.mutable_edit()->add_changes()->mutable_rename();
-      rename.set_page("Many");
-      rename.set_node(drawing.nodes(1000).name());
-      rename.set_name("middle");
-    });
-    EXPECT_TRUE(answer.ok()) << answer.error();
+  const Answer answer = desk.ask([&](ToDesigner& m) {
+    m.mutable_edit()->set_document(path);
+    m.mutable_edit()->set_revision(desk.document(path).revision());
+    Rename& rename = *m.mutable_edit()->add_changes()->mutable_rename();
+    rename.set_page("Many");
+    rename.set_node(drawing.nodes(1000).name());
+    rename.set_name("middle");
   });
-  RecordProperty("rename_ms", static_cast<int>(took * 1000));
-  EXPECT_LT(took, 10.0);
+  EXPECT_TRUE(answer.ok()) << answer.error();
   EXPECT_TRUE(desk.try_out(path, "Many").ok());
 }
 
@@ -66,37 +55,31 @@ TEST(Limits, FiveMegabytesOfTextAreTypedInAndUndone) {
   const std::string path = desk.write(kSmall);
   std::string text = kSmall;
   while (text.size() < 5'000'000) text += "// a line that says nothing, but is there all the same\n";
-  const double took = seconds_of([&] { desk.type(path, text); });
-  RecordProperty("type_ms", static_cast<int>(took * 1000));
-  EXPECT_LT(took, 30.0);
+  desk.type(path, text);
   EXPECT_EQ(desk.drawing(path, "One").nodes_size(), 1);
   EXPECT_TRUE(desk.ask([&](ToDesigner& m) { m.mutable_undo()->set_document(path); }).ok());
 }
 
-TEST(Limits, FiveHundredLettersASecondAreAllThere) {
+TEST(Limits, LettersThatNobodyWaitsForAreAllThere) {
   LiveDesk desk;
   const std::string path = desk.write(many_nodes(300));
   const std::string before = desk.document(path).text();
   const std::uint64_t revision = desk.document(path).revision();
   constexpr int kLetters = 1000;
-  const double took = seconds_of([&] {
-    for (int i = 0; i < kLetters; ++i) {
-      desk.tell([&](ToDesigner& m) {
-        EditText& edit = *m.mutable_edit_text();
-        edit.set_document(path);
-        edit.set_revision(revision + static_cast<std::uint64_t>(i));
-        edit.set_begin(static_cast<std::uint32_t>(before.size()) + static_cast<std::uint32_t>(i));
-        edit.set_end(edit.begin());
-        edit.set_text(i % 60 == 0 ? "\n" : "/");
-      });
-    }
-    desk.drawing(path, "Many");
-  });
+  for (int i = 0; i < kLetters; ++i) {
+    desk.tell([&](ToDesigner& m) {
+      EditText& edit = *m.mutable_edit_text();
+      edit.set_document(path);
+      edit.set_revision(revision + static_cast<std::uint64_t>(i));
+      edit.set_begin(static_cast<std::uint32_t>(before.size()) + static_cast<std::uint32_t>(i));
+      edit.set_end(edit.begin());
+      edit.set_text(i % 60 == 0 ? "\n" : "/");
+    });
+  }
+  desk.drawing(path, "Many");
   const std::string after = desk.document(path).text();
   EXPECT_EQ(after.size(), before.size() + kLetters);
   EXPECT_TRUE(after.starts_with(before));
-  RecordProperty("letters_per_second", static_cast<int>(kLetters / took));
-  EXPECT_GT(kLetters / took, 100.0);
 }
 
 TEST(Limits, TwoWhoTypeInTurnsLoseNothing) {
@@ -219,23 +202,19 @@ TEST(Limits, AFieldOfTheFinestGridLetsTheRunGoOn) {
   const std::string path = desk.open("examples:forage/forager.cdl");
   ASSERT_TRUE(desk.try_out(path, "Forager", 20).ok());
   ASSERT_TRUE(desk.runs_until(1.0));
-  std::size_t arrows = 0;
-  const double took = seconds_of([&] {
-    const Answer answer = desk.ask([&](ToDesigner& m) {
-      ReadField& request = *m.mutable_read_field();
-      request.set_document(path);
-      request.set_page("Forage");
-      request.set_robot(1);
-      request.mutable_area()->set_x_max(40.0);
-      request.mutable_area()->set_y_max(30.0);
-      request.set_columns(100);
-      request.set_rows(100);
-    });
-    EXPECT_TRUE(answer.ok()) << answer.error();
-    arrows = answer.field().arrows().size() / sizeof(LiveDesk::Arrow);
+  const Answer answer = desk.ask([&](ToDesigner& m) {
+    ReadField& request = *m.mutable_read_field();
+    request.set_document(path);
+    request.set_page("Forage");
+    request.set_robot(1);
+    request.mutable_area()->set_x_max(40.0);
+    request.mutable_area()->set_y_max(30.0);
+    request.set_columns(100);
+    request.set_rows(100);
   });
-  EXPECT_EQ(arrows, 10'000U);
-  RecordProperty("field_ms", static_cast<int>(took * 1000));
+  EXPECT_TRUE(answer.ok()) << answer.error();
+  EXPECT_EQ(answer.field().arrows().size() / sizeof(LiveDesk::Arrow), 10'000U);
+  EXPECT_TRUE(desk.runs_until(1.5));
 }
 
 }  // namespace
