@@ -17,6 +17,7 @@
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/robot/program/configuration_file.h"
+#include "mlab/run/pace.h"
 #include "mlab/study/dimension.h"
 #include "mlab/text/shown.h"
 
@@ -30,7 +31,8 @@ std::optional<double> speed_of(const std::string& text, double default_speed) {
   if (text == "real") return 1.0;
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.001) || value > 1e6)
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= run::Pace::kSlowest) ||
+      value > run::Pace::kFastest)
     return std::nullopt;
   return value;
 }
@@ -118,8 +120,8 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
 std::optional<RunManner> run_manner(const RunOptions& options, double default_speed) {
   const std::optional<double> speed = speed_of(options.speed, default_speed);
   if (!speed) {
-    usage_error(
-        fmt::format("--speed {}: expected real, max, or a number from 0.001 to 1000000", options.speed));
+    usage_error(fmt::format("--speed {}: expected real, max, or a number from {} to {}", options.speed,
+                            run::Pace::kSlowest, run::Pace::kFastest));
     return std::nullopt;
   }
   const std::optional<MissionClock> clock =

@@ -33,6 +33,7 @@
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/run/mission_run.h"
+#include "mlab/run/pace.h"
 #include "mlab/run/report.h"
 
 namespace mlab::cli {
@@ -187,43 +188,29 @@ class SharedStop {
   std::vector<std::string> told_;
 };
 
-/// Keeps a run from going faster than it should.
-class Pace {
- public:
-  /// @param speed  of the mission's clock, times that of the wall; 0: as fast as it can
-  explicit Pace(double speed) : speed_(speed) {}
-
-  /// Time that passed while the mission's clock stood still does not count.
-  /// @param since  by the steady clock [s]
-  void leave_out(double since) { idle_ += steady_seconds() - since; }
-  /// Returns when the next cycle is due.
-  void wait_for(const run::MissionRun& run) {
-    if (speed_ <= 0.0) return;
-    const double ahead = run.time() / speed_ - (steady_seconds() - began_ - idle_);
-    if (ahead > 0.0) pass_time(ahead);
-    // Robots that nobody waits for could not follow cycles that are made up for.
-    if (run.is_in_real_time() && ahead < -run.cycle_duration()) idle_ -= ahead;
-  }
-
- private:
-  double speed_;
-  double began_ = steady_seconds();
-  double idle_ = 0.0;
-};
+/// Returns when the next cycle of a run is due.
+void wait_for_cycle(run::Pace& pace, const run::MissionRun& run) {
+  const double now = steady_seconds();
+  // Robots that nobody waits for could not follow cycles that are made up for.
+  pace.forgive(now, run.time(), run.is_in_real_time() ? run.cycle_duration() : run::Pace::kMostBehind);
+  if (const double ahead = pace.due(run.time()) - now; ahead > 0.0) pass_time(ahead);
+}
 
 // Steps until the mission has ended, its time is up or somebody ends it.
 run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& screen,
                       TerminalOperator& person, Plot& plot) {
   run::MissionRun& run = *prepared.run;
-  Pace pace(prepared.speed);
+  run::Pace pace(prepared.speed);
   SharedStop stop(run, screen, prepared.stop_line.get(), options.network);
   if (prepared.stop_line) prepared.stop_line->settle();
   execute(prepared, screen);
+  // The mission's clock has stood still until now.
+  const auto go_on_from_here = [&] { pace.start(steady_seconds(), run.time()); };
+  go_on_from_here();
   while (!was_interrupted()) {
     if (const double ahead = person.ahead(); ahead > 0.0) {
-      const double before = steady_seconds();
       person.attend(static_cast<int>(std::min(ahead * 1000.0, 100.0)) + 1);
-      pace.leave_out(before);
+      go_on_from_here();
       continue;
     }
     if (options.limit && run.time() >= *options.limit) {
@@ -239,11 +226,10 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
     if (prepared.recording) prepared.recording->note(progress);
     if (run.is_stopped()) {
       if (progress == run::MissionRun::Progress::kWaits) {
-        const double before = steady_seconds();
         pass_time(0.05);
-        pace.leave_out(before);
+        go_on_from_here();
       } else {
-        pace.wait_for(run);
+        wait_for_cycle(pace, run);
       }
       continue;
     }
@@ -252,7 +238,6 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
     if (!options.plot.empty()) plot.note(run);
     const bool waits = progress == run::MissionRun::Progress::kWaits;
     if (person.is_needed()) {
-      const double before = steady_seconds();
       // A question that answers itself needs nobody.
       if (!person.attend(waits ? 100 : 0) &&
           (person.is_steering() || mission::awaits_only_operator(run.state()))) {
@@ -262,11 +247,11 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
         run.post(mission::event::Abort{});
         return run::RunEnd::kByItself;
       }
-      if (waits) pace.leave_out(before);
+      if (waits) go_on_from_here();
     } else if (waits) {
       return run::RunEnd::kByItself;
     }
-    pace.wait_for(run);
+    wait_for_cycle(pace, run);
   }
   return run::RunEnd::kInterrupted;
 }

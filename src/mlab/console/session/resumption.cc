@@ -71,7 +71,8 @@ void Resumption::recall(const journal::Kept& kept) {
     people.push_back({one.id(), clean(one.name()), one.key(), {}, 0.0});
   parts_.people.recall(std::move(people), session.operator_());
   const double speed = session.speed();
-  if (speed == 0.0 || (speed >= Pace::kSlowest && speed <= Pace::kFastest)) parts_.run.set_speed(speed);
+  if (speed == 0.0 || (speed >= run::Pace::kSlowest && speed <= run::Pace::kFastest))
+    parts_.run.set_speed(speed);
   parts_.run.breakpoints().recall(breakpoints_of(kept));
 }
 

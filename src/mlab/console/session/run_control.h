@@ -12,11 +12,12 @@
 #include "mlab/console/run/cycle_times.h"
 #include "mlab/console/run/event_log.h"
 #include "mlab/console/run/live_run.h"
-#include "mlab/console/run/pace.h"
+#include "mlab/console/run/speed_meter.h"
 #include "mlab/console/run/teleoperations.h"
 #include "mlab/console/run/vehicle_silence.h"
 #include "mlab/console/session/request.h"
 #include "mlab/preflight/gate.h"
+#include "mlab/run/pace.h"
 
 namespace mlab::console {
 
@@ -79,7 +80,7 @@ class RunControl {
   void look_again() { has_nothing_to_do_ = false; }
   bool time_runs() const { return time_runs_; }
   void set_speed(double speed);
-  const Pace& pace() const { return pace_; }
+  const run::Pace& pace() const { return pace_; }
   const SpeedMeter& meter() const { return meter_; }
   /// Of all cycles, whichever run's.
   const CycleTimes& cycle_times() const { return cycle_times_; }
@@ -143,7 +144,7 @@ class RunControl {
   EventLog& log_;
   std::unique_ptr<LiveRun> live_;
   bool is_expected_ = false;
-  Pace pace_;
+  run::Pace pace_;
   SpeedMeter meter_;
   CycleTimes cycle_times_;
   std::shared_ptr<preflight::Gate> gate_;     // null: there is none

@@ -181,8 +181,10 @@ Answered RunOrders::set_speed(const Sender& sender, const SetSpeed& set) {
   if (run_.live() != nullptr && run_.live()->run().is_in_real_time())
     return "the robots are not waited for: time passes as on the clock, no faster and no slower";
   const double speed = set.speed();
-  const bool is_allowed = speed == 0.0 || (speed >= Pace::kSlowest && speed <= Pace::kFastest);
-  if (!is_allowed) return "the speed is a number from 0.1 to 1000, or 0 for as fast as it goes";
+  const bool is_allowed = speed == 0.0 || (speed >= run::Pace::kSlowest && speed <= run::Pace::kFastest);
+  if (!is_allowed)
+    return fmt::format("the speed is a number from {} to {}, or 0 for as fast as it goes",
+                       run::Pace::kSlowest, run::Pace::kFastest);
   run_.set_speed(speed);
   run_.note(sender.client.name, speed == 0.0 ? "speed max" : fmt::format("speed {}", speed));
   return std::nullopt;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <deque>
-
-namespace mlab::console {
+namespace mlab::run {
 
 /// When the next cycle is due, for a wanted number of simulated seconds per second. What can't be kept up
 /// with is made up for within kMostBehind and forgotten beyond, so that a run that was held up does not race
@@ -26,8 +24,8 @@ class Pace {
   double due(double sim) const;
   /// How late that cycle is; 0 where it is not, or there is no wanted speed.
   double behind(double wall, double sim) const;
-  /// Forgets what is more than kMostBehind late.
-  void forgive(double wall, double sim);
+  /// Forgets what is later than `most`.
+  void forgive(double wall, double sim, double most = kMostBehind);
 
  private:
   double speed_ = 1.0;
@@ -35,19 +33,4 @@ class Pace {
   double sim_ = 0.0;
 };
 
-/// Simulated seconds per second over the last second.
-class SpeedMeter {
- public:
-  void note(double wall, double sim);
-  /// 0 where time has not passed for half a second.
-  double speed(double wall) const;
-
- private:
-  struct Sample {
-    double wall;
-    double sim;
-  };
-  std::deque<Sample> samples_;  // at most one for each hundredth of a second
-};
-
-}  // namespace mlab::console
+}  // namespace mlab::run
