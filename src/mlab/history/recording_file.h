@@ -26,7 +26,8 @@ class RecordingWriter {
   /// The kind of an error where nothing but room was missing: the next time there may be some.
   static constexpr const char* kNoRoom = "no-room";
 
-  /// Makes the file. One that is there already is left alone; where nothing can be written to it, there is none.
+  /// Makes the file. One that is there already is left alone; where nothing can be written to it, there is
+  /// none.
   /// @param started_at  wall clock at run time 0, seconds since 1970-01-01 00:00 UTC
   static text::Result<std::unique_ptr<RecordingWriter>> create(const std::string& path, double started_at);
 
