@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import _core
-from ._errors import Problem, problems_of
+from ._errors import Error, Problem, problems_of
 from ._table import Table
 from ._values import path_of, positive, whole, written
 
@@ -148,8 +148,12 @@ def batch(
         )
         if value is not None
     ]
+    if set is not None and not isinstance(set, Mapping):
+        raise TypeError(f"set: expected names with their values, {{'base_velocity': [1, 2]}}, not {type(set).__name__}")
     given += [("set", f"{name}={_values(value, str(name))}") for name, value in (set or {}).items()]
-    given += [("require", one) for one in ([require] if isinstance(require, str) else require)]
+    given += [("require", one) for one in _texts(require, "require")]
+    if page is not None:
+        _try_to_write(path_of(page, "page"))
     if progress is not None and not callable(progress):
         raise TypeError("progress: expected something that can be called with two numbers")
     processors = len(os.sched_getaffinity(0))
@@ -168,6 +172,25 @@ def batch(
     said = json.loads(made["json"])
     rows = said.pop("runs")
     return Batch(_columns(rows), said, problems_of(made["warnings"]))
+
+
+def _texts(value: object, what: str) -> list[str]:
+    texts = [value] if isinstance(value, str) else value
+    if not isinstance(texts, (list, tuple)) or not all(isinstance(one, str) for one in texts):
+        raise TypeError(f"{what}: expected a text, or a list of texts, not {type(value).__name__}")
+    return list(texts)
+
+
+def _try_to_write(file: str) -> None:
+    """Before the runs, which may take hours. What stands in the file is left alone."""
+    is_there = os.path.exists(file)
+    try:
+        with open(file, "a", encoding="utf-8"):
+            pass
+    except OSError as problem:
+        raise Error(f"page {file}: the file can't be written: {problem.strerror}") from None
+    if not is_there:
+        os.remove(file)
 
 
 def _values(value: object, what: str) -> str:

@@ -45,7 +45,7 @@ def positive(value: object, what: str) -> float:
     """A number above zero."""
     try:
         number = float(value)  # type: ignore[arg-type]
-    except TypeError:
+    except (TypeError, ValueError):
         raise TypeError(f"{what}: expected a number, not {type(value).__name__}") from None
     if not (number > 0.0 and np.isfinite(number)):
         raise Error(f"{what}: {number} is out of range; expected a number above 0")

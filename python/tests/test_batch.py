@@ -109,6 +109,15 @@ class Batches(unittest.TestCase):
             mlab.batch("no_such_file.mdl", 1)
         with self.assertRaises(TypeError):
             mlab.batch(PATROL, 1, progress=3)
+        for wrong in ({"set": ["base_velocity"]}, {"require": 5}, {"require": [5]}, {"limit": "soon"}):
+            with self.assertRaisesRegex(TypeError, f"{next(iter(wrong))}: expected", msg=str(wrong)):
+                mlab.batch(PATROL, 1, **wrong)
+
+    def test_a_page_that_can_not_be_written_is_told_before_the_runs(self):
+        told = []
+        with self.assertRaisesRegex(mlab.Error, "page /no/such/folder/page.html: the file can't be written"):
+            mlab.batch(PATROL, 50, page="/no/such/folder/page.html", progress=lambda *of: told.append(of))
+        self.assertEqual(told, [])
 
 
 if __name__ == "__main__":

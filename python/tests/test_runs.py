@@ -224,6 +224,27 @@ class Runs(unittest.TestCase):
             with self.assertRaisesRegex(mlab.Error, "never written over"):
                 mlab.load(PATROL).run(record=file)
 
+    def test_a_robot_that_comes_later_is_traced(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "run.mcap")
+            run = mlab.load(PATROL).run(seed=2, record=file)
+            run.step(10)
+            run.order("UNIT <late> ROBOT AND UNIT late START 60 60")
+            run.step(20)
+            number = run.robots[-1].number
+            self.assertEqual(number, 3)
+            run.end_recording()
+            done = subprocess.run(
+                [os.environ["MLAB_COMMAND"], "trace", file, "--robot", str(number), "--ports", "base_velocity"],
+                capture_output=True,
+                text=True,
+            )
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            header, *rows = done.stdout.splitlines()
+            self.assertEqual(header, "cycle,time,robot,x,y,heading,base_velocity")
+            self.assertGreater(len(rows), 15)
+            self.assertTrue(all(row.split(",")[2] == "3" and int(row.split(",")[0]) > 10 for row in rows))
+
     def test_robots_in_cells_run(self):
         own = mlab.load(os.path.join(ROOT, "docs", "examples", "own_behavior", "mine.mdl"))
         run = own.run()

@@ -31,6 +31,19 @@ TEST_F(Batches, WriteATableAndAPage) {
   EXPECT_FALSE(fs::exists(folder_ / "t.csv.runs"));
 }
 
+// As on a full disk; the limit's signal would end it.
+TEST_F(Batches, TellThatNothingCanBeWrittenAndWhy) {
+  const std::string patrol = kMissions + "patrol/patrol.mdl";
+  const Outcome out = mlab("batch " + patrol + " --runs 60 --table t.csv --html p.html", "ulimit -f 8; ");
+  EXPECT_EQ(out.status, 1) << out.err;
+  EXPECT_TRUE(has(out.err, "t.csv.runs could not be written; no more runs are begun")) << out.err;
+  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+  const Outcome run = mlab("run " + patrol + " --headless --proceed --quiet --plot p.svg", "ulimit -f 4; ");
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_TRUE(has(run.err, "p.svg could not be written: File too large")) << run.err;
+  EXPECT_FALSE(fs::exists(folder_ / "p.svg"));
+}
+
 // Of missions of all kinds: with programs of their own, with obstacles by seed, with questions.
 TEST_F(Batches, HaveTheRunsThatRunHas) {
   write(
@@ -270,6 +283,8 @@ TEST_F(Batches, RefuseWhatTheyCanNotDo) {
   EXPECT_TRUE(has(told("m.mdl --resume"), "which batch?"));
   EXPECT_TRUE(has(told("m.mdl --runs 0"), "expected a whole number from 1"));
   EXPECT_TRUE(has(told("m.mdl --set base_velocity=2,fast"), "fast"));
+  EXPECT_FALSE(has(told("m.mdl --set base_velocity=2,fast"), "no robot of the mission")) << "they have one";
+  EXPECT_TRUE(has(told("m.mdl --set base_velocity=2 --set base_velocity=3"), "`base_velocity` is set twice"));
   EXPECT_TRUE(has(told("m.mdl --set OBSTACLE-COVERAGE=1..90"), "goes from 0 to 30"));
   EXPECT_TRUE(has(told("m.mdl --start-time soon"), "expected YYYY-MM-DD"));
   EXPECT_TRUE(has(told("-"), "expected a file"));
@@ -285,6 +300,7 @@ TEST_F(Batches, SetForASingleRunWhatTheySet) {
   mlab("run m.mdl --headless --quiet --report r.json --set base_velocity=2");
   EXPECT_GT(seconds, 1.5 * Json::parse(text_of(folder_ / "r.json"))["mission"]["simulated_s"].get<double>());
   EXPECT_EQ(mlab("run m.mdl --headless --set base_velocity").status, 2);
+  EXPECT_TRUE(has(mlab("run m.mdl --headless --set base_velocity=1 --set base_velocity=2").err, "set twice"));
   EXPECT_EQ(mlab("run m.mdl --headless --set nothing=1").status, 2);
   EXPECT_TRUE(has(mlab("run m.mdl --set base_velocity=1").err, "--set counts with --headless"));
 }

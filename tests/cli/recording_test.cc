@@ -51,10 +51,42 @@ TEST_F(RecordingCommand, GiveTheValueOfAnyPortInAnyCycle) {
       << trace.out;
   EXPECT_TRUE(has(trace.out, "\n20,2,1,")) << trace.out;
   EXPECT_FALSE(has(trace.out, "\n25,")) << trace.out;
-  EXPECT_EQ(mlab("trace run.mcap --robot 9").status, 2);
+}
+
+TEST_F(RecordingCommand, SayWhatOfATraceIsNotThere) {
+  record();
+  const Outcome robot = mlab("trace run.mcap --robot 9");
+  EXPECT_EQ(robot.status, 2);
+  EXPECT_TRUE(has(robot.err, "--robot 9: there is no such robot in the whole run")) << robot.err;
   const Outcome none = mlab("trace run.mcap --ports nosuch");
   EXPECT_EQ(none.status, 2);
-  EXPECT_TRUE(has(none.err, "no port of these robots matches")) << none.err;
+  EXPECT_TRUE(has(none.err, "--ports 'nosuch': no port of these robots matches")) << none.err;
+  const Outcome one = mlab("trace run.mcap --ports base_velocty --ports 'to_goal*' --to 1");
+  EXPECT_EQ(one.status, 0);
+  EXPECT_TRUE(
+      has(one.err, "--ports 'base_velocty': no port of these robots matches; did you mean `base_velocity`?"))
+      << one.err;
+  EXPECT_FALSE(has(one.err, "to_goal")) << one.err;
+  const Outcome reversed = mlab("trace run.mcap --from 2 --to 1");
+  EXPECT_EQ(reversed.status, 2);
+  EXPECT_TRUE(has(reversed.err, "--from 2 --to 1: nothing lies between them")) << reversed.err;
+  const Outcome late = mlab("trace run.mcap --from 100000");
+  EXPECT_EQ(late.status, 0);
+  EXPECT_TRUE(has(late.err, "no row: ")) << late.err;
+  for (const char* wrong : {"nan", "inf", "-1", "soon"}) {
+    const Outcome out = mlab(std::string("trace run.mcap --from=") + wrong);
+    EXPECT_EQ(out.status, 2) << wrong;
+    EXPECT_TRUE(has(out.err, std::string("expected simulated seconds, 0 or more, found `") + wrong))
+        << out.err;
+  }
+}
+
+TEST_F(RecordingCommand, CanNotBeMadeWhereThereIsNoFolder) {
+  record();
+  const Outcome again = mlab("replay run.mcap --headless --record nowhere/again.mcap");
+  EXPECT_EQ(again.status, 2);
+  EXPECT_EQ(again.out, "");
+  EXPECT_TRUE(has(again.err, "--record nowhere/again.mcap: the file can't be written")) << again.err;
 }
 
 TEST_F(RecordingCommand, AreNeverWrittenOver) {

@@ -2,10 +2,7 @@
 // is said where nothing can be kept.
 
 #include <arpa/inet.h>
-#include <fcntl.h>
 #include <netinet/in.h>
-#include <sched.h>
-#include <sys/mount.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -24,6 +21,7 @@
 
 #include "author.h"
 #include "server.h"
+#include "small_disk.h"
 #include "socket.h"
 
 #include "mlab/console.pb.h"
@@ -151,31 +149,9 @@ class Typist {
   std::string not_kept_;
 };
 
-bool write_line(const char* file, const std::string& line) {
-  const int fd = ::open(file, O_WRONLY);
-  const bool is_done = fd >= 0 && ::write(fd, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  if (fd >= 0) ::close(fd);
-  return is_done;
-}
-
-// Only this process sees the small disk that it gets there; without being root, as root of a namespace.
-bool get_small_disk(const std::string& where) {
-  const unsigned user = ::getuid();
-  const unsigned group = ::getgid();
-  if (::unshare(CLONE_NEWNS) != 0) {
-    if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
-    const bool is_root = write_line("/proc/self/setgroups", "deny") &&
-                         write_line("/proc/self/uid_map", fmt::format("0 {} 1", user)) &&
-                         write_line("/proc/self/gid_map", fmt::format("0 {} 1", group));
-    if (!is_root) return false;
-  }
-  return ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
-         ::mount("none", where.c_str(), "tmpfs", 0, "size=32k") == 0;
-}
-
 TEST_F(Durable, AFullDiskIsToldAtOnceAndWhatIsLostAtTheEnd) {
   Server::Setup small = setup({"run", "m.mdl"});
-  small.before = [where = (folder_ / "state").string()] { return get_small_disk(where); };
+  small.before = [where = (folder_ / "state").string()] { return get_small_disk(where, 32); };
   Server server(small);
   if (server.port() == 0 && server.end() == 97) GTEST_SKIP() << "no file system can be mounted here";
   ASSERT_NE(server.port(), 0) << server.printed();

@@ -1,6 +1,7 @@
 // A run is gone on with where a killed console left it: real consoles, killed under the hands of somebody who
 // steers.
 
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <thread>
@@ -23,6 +25,7 @@
 #include "mlab/base/random.h"
 #include "operator.h"
 #include "server.h"
+#include "small_disk.h"
 
 namespace mlab::durable {
 namespace {
@@ -217,11 +220,13 @@ class Helmsman {
     return "";
   }
   /// Does something for as long as it pleases.
-  void steer(Operator& anna) {
+  /// @param meanwhile  is done before each of the orders
+  void steer(Operator& anna, const std::function<void()>& meanwhile) {
     const int orders = static_cast<int>(random_.below(6));
     waiting_.clear();
     for (int i = 0; i < orders; ++i) {
       anna.listen(random_.uniform() * 0.08);
+      if (meanwhile) meanwhile();
       order(anna);
     }
     anna.listen(random_.uniform() * 0.25);
@@ -278,57 +283,95 @@ class Helmsman {
   std::size_t not_saved_ = 0;
 };
 
+/// What goes wrong besides the kills; what is empty does not.
+struct Trouble {
+  std::function<void(Server::Setup& next)> before_start = {};  ///< of each console but the first
+  std::function<void()> meanwhile = {};                        ///< before each order
+};
+
 class Kills : public Resumed {
  protected:
   // Kills consoles under somebody's hands, and looks what the next one has.
-  // @param most_bytes  of a file, in some of the consoles: as on a full disk; 0: there is room
-  void try_kills(std::uint64_t most_bytes) {
+  void try_kills(const Trouble& trouble = {}) {
     const std::uint64_t kills = number_from("MLAB_KILLS", 10);
-    const std::uint64_t seed = number_from("MLAB_KILL_SEED", 1);
-    fmt::print("{} kills, MLAB_KILL_SEED={}\n", kills, seed);
-    Helmsman helmsman(seed);
-    base::Random random(seed + 1);
-    double slowest = 0.0;
+    fmt::print("{} kills, MLAB_KILL_SEED={}\n", kills, seed_);
+    Helmsman helmsman(seed_);
     for (std::uint64_t kill = 0; kill <= kills; ++kill) {
       Server::Setup next = kill == 0 ? setup({"far.mdl", "--speed", "20"}) : resume();
-      if (most_bytes != 0 && kill != 0 && random.below(2) == 0) {
-        next.before = [size = 2000 + random.below(most_bytes)] {
-          const rlimit small{size, size};
-          return std::signal(SIGXFSZ, SIG_IGN) != SIG_ERR && ::setrlimit(RLIMIT_FSIZE, &small) == 0;
-        };
-      }
-      Server server(next);
-      ASSERT_NE(server.port(), 0) << "kill " << kill << " of seed " << seed << "\n" << server.printed();
-      Operator anna(server);
-      const auto began = std::chrono::steady_clock::now();
-      const auto wanted = kill == 0 ? Status::READY : Status::PAUSED;
-      ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == wanted; })) << server.printed();
-      ASSERT_TRUE(kill == 0 || anna.wait([&] { return anna.has_log("the run goes on as it stood"); }));
-      slowest =
-          std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
-      ASSERT_EQ(helmsman.look(anna), "") << "after kill " << kill << " of seed " << seed;
-      const auto executed = anna.control(Control::EXECUTE);
-      ASSERT_TRUE(executed && executed->ok()) << executed->error();
-      ASSERT_TRUE(kill != 0 || executed->not_saved().empty()) << executed->not_saved();
-      helmsman.steer(anna);
-      server.kill();
-      const std::vector<fs::path> recordings = files(".mcap");
-      ASSERT_FALSE(recordings.empty());
-      for (const fs::path& one : recordings)
-        ASSERT_EQ(replay(one), 0) << one << " after kill " << kill << "\n" << text_of(folder_ / "replay.txt");
+      if (kill != 0 && trouble.before_start) trouble.before_start(next);
+      try_kill(kill, next, helmsman, trouble);
+      if (HasFatalFailure()) return;
     }
     fmt::print("{} orders were acknowledged as saved, {} as not saved; at most {:.2f} s until all was back\n",
-               helmsman.saved(), helmsman.not_saved(), slowest);
+               helmsman.saved(), helmsman.not_saved(), slowest_);
     EXPECT_GT(helmsman.saved(), 0U);
   }
+
+  const std::uint64_t seed_ = number_from("MLAB_KILL_SEED", 1);
+  base::Random random_{seed_ + 1};
+
+ private:
+  void try_kill(std::uint64_t kill, const Server::Setup& next, Helmsman& helmsman, const Trouble& trouble) {
+    const std::string which = fmt::format("kill {} of seed {}", kill, seed_);
+    Server server(next);
+    ASSERT_NE(server.port(), 0) << which << "\n" << server.printed();
+    Operator anna(server);
+    const auto began = std::chrono::steady_clock::now();
+    const auto wanted = kill == 0 ? Status::READY : Status::PAUSED;
+    ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == wanted; })) << which << server.printed();
+    ASSERT_TRUE(kill == 0 || anna.wait([&] { return anna.has_log("the run goes on as it stood"); }));
+    slowest_ =
+        std::max(slowest_, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    ASSERT_EQ(helmsman.look(anna), "") << "after " << which;
+    const auto executed = anna.control(Control::EXECUTE);
+    ASSERT_TRUE(executed && executed->ok()) << executed->error();
+    ASSERT_TRUE(kill != 0 || executed->not_saved().empty()) << executed->not_saved();
+    helmsman.steer(anna, kill == 0 ? std::function<void()>() : trouble.meanwhile);
+    server.kill();
+    const std::vector<fs::path> recordings = files(".mcap");
+    ASSERT_FALSE(recordings.empty());
+    for (const fs::path& one : recordings)
+      ASSERT_EQ(replay(one), 0) << one << " after " << which << "\n" << text_of(folder_ / "replay.txt");
+  }
+
+  double slowest_ = 0.0;
 };
 
 TEST_F(Kills, NothingAcknowledgedIsLost) {
-  try_kills(0);
+  try_kills();
+}
+
+TEST_F(Kills, NothingAcknowledgedAsSavedIsLostWhereFilesMustNotGrow) {
+  try_kills({.before_start = [this](Server::Setup& next) {
+    if (random_.below(2) != 0) return;
+    next.before = [size = 2000 + random_.below(300'000)] {
+      const rlimit small{size, size};
+      return std::signal(SIGXFSZ, SIG_IGN) != SIG_ERR && ::setrlimit(RLIMIT_FSIZE, &small) == 0;
+    };
+  }});
 }
 
 TEST_F(Kills, NothingAcknowledgedAsSavedIsLostOnAFullDisk) {
-  try_kills(300'000);
+  const std::string state = (folder_ / "state").string();
+  if (!get_small_disk(state, 64 * 1024)) GTEST_SKIP() << "no file system can be mounted here";
+  const CrowdedDisk disk(state);
+  // Of three times full to the brim, nearly full, or with room for all.
+  const auto crowd = [&] {
+    const std::uint64_t kind = random_.below(3);
+    ASSERT_TRUE(kind == 0   ? disk.leave(0)
+                : kind == 1 ? disk.leave(random_.below(200'000))
+                            : disk.make_room());
+  };
+  try_kills({.before_start = [&](Server::Setup&) { crowd(); },
+             .meanwhile =
+                 [&] {
+                   if (random_.below(3) == 0) crowd();
+                 }});
+  if (HasFailure()) {  // the disk goes with this process
+    fs::copy(state, folder_ / "left", fs::copy_options::recursive);
+    fs::remove(folder_ / "left/of_others");
+  }
+  ::umount2(state.c_str(), MNT_DETACH);
 }
 
 }  // namespace

@@ -410,7 +410,7 @@ TEST_F(RobotProgramsTest, AreNotNeededByThoseWhoReadARecording) {
       << text_of("replay");
   EXPECT_EQ(status_of("compare read.mcap again.mcap", "compare"), 0) << text_of("compare");
   EXPECT_EQ(status_of("trace read.mcap --robot 1 --ports '*'", "trace"), 2);
-  EXPECT_NE(text_of("trace").find("of robots 1 only what their programs answered is recorded"),
+  EXPECT_NE(text_of("trace").find("of robot 1 only what their programs answered is recorded"),
             std::string::npos)
       << text_of("trace");
   EXPECT_EQ(status_of("trace read.mcap --robot 3 --ports '*' --to 1", "trace"), 0) << text_of("trace");

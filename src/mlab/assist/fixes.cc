@@ -285,7 +285,11 @@ class Candidates {
     const std::size_t at = problem_.message.find(kStands);
     const std::size_t end = problem_.message.find(" is expected", at);
     if (at == std::string::npos || end == std::string::npos || blank == std::string_view::npos) return;
-    const std::string unit = problem_.message.substr(at + kStands.size(), end - at - kStands.size());
+    // "a duration [s]"
+    const std::string wanted = problem_.message.substr(at + kStands.size(), end - at - kStands.size());
+    const std::size_t bracket = wanted.find(" [");
+    if (bracket == std::string::npos || !wanted.ends_with(']')) return;
+    const std::string unit = wanted.substr(bracket + 2, wanted.size() - bracket - 3);
     if (!unit.contains(' ')) replace(span_, fmt::format("{} {}", here_.substr(0, blank), unit));
   }
 

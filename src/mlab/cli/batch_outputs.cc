@@ -38,7 +38,7 @@ bool deliver_file(const char* what, const std::string& file, const std::string& 
     fmt::print("{}: {}\n", what, file);
     return true;
   }
-  fmt::print(stderr, "mlab batch: the {} {} could not be written\n", what, file);
+  fmt::print(stderr, "mlab batch: the {} {} could not be written{}\n", what, file, why_not_written());
   return false;
 }
 

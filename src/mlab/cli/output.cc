@@ -63,8 +63,10 @@ void do_nothing(int /*signal*/) {}
 }  // namespace
 
 void guard_output() {
-  // Not SIG_IGN, which children would inherit.
+  // Not SIG_IGN, which children would inherit. A file that must not grow any more is an error, as a full disk
+  // is.
   std::signal(SIGPIPE, do_nothing);
+  std::signal(SIGXFSZ, do_nothing);
   if (::fcntl(STDOUT_FILENO, F_GETFD) < 0) {
     output_error = EBADF;
     ::open("/dev/null", O_WRONLY);  // takes the place, so that no file that is opened later does

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -77,6 +78,7 @@ bool is_writable(const std::string& path) {
 
 bool write_file(const std::string& path, const std::string& text) {
   std::error_code error;
+  errno = 0;
   if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {  // /dev/stdout, a pipe
     std::ofstream file(path, std::ios::binary);
     return static_cast<bool>(file.write(text.data(), static_cast<std::streamsize>(text.size())).flush());
@@ -86,13 +88,20 @@ bool write_file(const std::string& path, const std::string& text) {
   {
     std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
     if (!file.write(text.data(), static_cast<std::streamsize>(text.size())).flush()) {
+      const int why = errno;
       fs::remove(fresh, error);
+      errno = why;
       return false;
     }
   }
   if (fs::exists(target, error)) fs::permissions(fresh, fs::status(target).permissions(), error);
   fs::rename(fresh, target, error);
+  if (error) errno = error.value();
   return !error;
+}
+
+std::string why_not_written() {
+  return errno == 0 ? std::string() : ": " + std::generic_category().message(errno);
 }
 
 }  // namespace mlab::cli

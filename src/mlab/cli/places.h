@@ -31,5 +31,7 @@ bool is_writable(const std::string& path);
 /// Writes the whole file, or leaves what was there: the text goes to a new file beside it, which then takes
 /// its name.
 bool write_file(const std::string& path, const std::string& text);
+/// `: No space left on device`, right after it could not; empty where the system gave no reason.
+std::string why_not_written();
 
 }  // namespace mlab::cli

@@ -48,11 +48,16 @@ RecordedRun open_recording(const ReplayOptions& options) {
   RecordedRun out;
   out.history = read_history(options.recording);
   if (!out.history) return out;
+  out.replay = replay_of(out.history, options);
+  return out;
+}
+
+std::unique_ptr<history::Replay> replay_of(const std::shared_ptr<const history::History>& history,
+                                           const ReplayOptions& options) {
   text::Diagnostics problems;
-  out.replay = history::Replay::make(
-      out.history, {permission_to_replay(), include_root(), kVersion, options.limits, options.threads},
-      problems);
-  if (!out.replay) tell(problems);
+  auto out = history::Replay::make(
+      history, {permission_to_replay(), include_root(), kVersion, options.limits, options.threads}, problems);
+  if (!out) tell(problems);
   return out;
 }
 

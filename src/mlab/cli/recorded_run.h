@@ -23,6 +23,11 @@ std::shared_ptr<history::History> read_history(const std::string& path);
 /// program, or on another machine, and how far it can be read, is told as well.
 RecordedRun open_recording(const ReplayOptions& options);
 
+/// From its beginning.
+/// @return null where it can't be computed again, which was told
+std::unique_ptr<history::Replay> replay_of(const std::shared_ptr<const history::History>& history,
+                                           const ReplayOptions& options);
+
 /// That it was recorded by another program, or on another machine: sentences.
 std::vector<std::string> remarks_on(const wire::HistoryBeginning& beginning);
 

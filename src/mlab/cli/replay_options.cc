@@ -1,11 +1,25 @@
 #include "mlab/cli/replay_options.h"
 
+#include <cmath>
+#include <string>
+
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
 #include "mlab/cli/option_groups.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
+
+// @return  what is wrong with it; empty: it is a moment of a run
+std::string refuse_if_no_moment(const std::string& text) {
+  double seconds = 0.0;
+  const bool is_number = CLI::detail::lexical_cast(text, seconds);
+  return is_number && std::isfinite(seconds) && seconds >= 0.0
+             ? ""
+             : fmt::format("expected simulated seconds, 0 or more, found `{}`", text::shown(text, 40));
+}
 
 void add_computing(CLI::App* c, int& threads, robot_host::Limits& limits) {
   c->add_option("--threads", threads,
@@ -95,10 +109,10 @@ void add_trace_options(CLI::App* c, TraceOptions& o) {
                 "outputs)")
       ->type_name("PATTERN");
   c->add_option("--from", o.from, "simulated seconds from which on")
-      ->check(CLI::NonNegativeNumber)
+      ->check(refuse_if_no_moment)
       ->type_name("SECONDS");
   c->add_option("--to", o.to, "simulated seconds up to which (default: the end)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(refuse_if_no_moment)
       ->type_name("SECONDS");
   c->add_option("--every", o.every, "a row for every so many cycles")
       ->capture_default_str()

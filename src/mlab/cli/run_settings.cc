@@ -1,5 +1,6 @@
 #include "mlab/cli/run_settings.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
@@ -178,6 +179,11 @@ std::optional<std::vector<mdl::Setting>> settings_of(const RunOptions& options) 
       tell(setting.error());
       return std::nullopt;
     }
+    if (std::ranges::find(out, setting->name, &mdl::Setting::name) != out.end()) {
+      usage_error(fmt::format("--set {}: `{}` is set twice", text::shown(text, 100),
+                              text::shown(setting->name, 100)));
+      return std::nullopt;
+    }
     out.push_back(std::move(*setting));
   }
   return out;
@@ -190,7 +196,7 @@ int usage_error(const std::string& message) {
 
 bool deliver(const char* what, const std::string& file, const std::string& text) {
   if (!write_file(file, text)) {
-    fmt::print(stderr, "mlab run: the {} {} could not be written\n", what, file);
+    fmt::print(stderr, "mlab run: the {} {} could not be written{}\n", what, file, why_not_written());
     return false;
   }
   fmt::print("{}: {}\n", what, file);

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/program.h"
+#include "mlab/flow/type_words.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::flow {
@@ -44,9 +45,9 @@ std::optional<std::string> Interventions::why_never_held(const Program& program,
   if (program.is_news(port))
     return fmt::format("`{}` says when a value has come, and can't be held: hold the value", port.path);
   if (port.type->parse == nullptr)
-    return fmt::format("`{}` is of type {}, which has no constants", port.path, port.type->name);
+    return fmt::format("`{}` is {}: there are no words for one", port.path, value_of(*port.type));
   if (port.type->size > kLargest)
-    return fmt::format("a {} has {} bytes, and at most {} can be held", port.type->name, port.type->size,
+    return fmt::format("{} has {} bytes, and at most {} can be held", value_of(*port.type), port.type->size,
                        kLargest);
   return std::nullopt;
 }
@@ -108,7 +109,7 @@ std::optional<std::string> Interventions::why_not_held(const Port* mine, const P
                                                        const Program& after, bool has_same_code) {
   if (mine == nullptr) return "nothing of that name is left";
   if (mine->type != theirs.type && !(has_same_code && same_type(*mine->type, *theirs.type)))
-    return fmt::format("it is a {} now", mine->type->name);
+    return fmt::format("it is {} now", value_of(*mine->type));
   if (auto problem = why_never_held(after, *mine)) return problem;
   if (held_at(mine->offset) != nullptr) return "it is one with another that is held";
   if (!Program::is_in_range(*mine, held.value.data())) return "the value is out of its range now";

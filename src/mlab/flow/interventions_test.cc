@@ -291,7 +291,7 @@ TEST(Interventions, ThatAnotherProgramHasNoPlaceForAreTold) {
   changed.nodes[7].links[0].source = name("total");
   HandledRobot other(changed);
   EXPECT_EQ(carried_over(robot, other), (Losses{"sum is not held any more: nothing of that name is left",
-                                                "t0 is not held any more: it is a int now",
+                                                "t0 is not held any more: it is a whole number now",
                                                 "job is not sent to C any more: `job` has no state `C`"}));
   EXPECT_TRUE(other.hands().is_empty());
 }

@@ -341,7 +341,7 @@ std::string expected_of(const Port& port) {
 
 std::optional<std::string> Program::read(const Port& port, std::string_view text, ValueBytes& out) {
   if (port.type->parse == nullptr || port.type->size > out.size())
-    return fmt::format("`{}` is of type {}, which has no constants", port.path, port.type->name);
+    return fmt::format("`{}` is {}: there are no words for one", port.path, value_of(*port.type));
   if (!port.type->parse(text, out.data()))
     return fmt::format("`{}` is no {}: `{}` takes {}", text::shown(text, 100), noun_of(*port.type), port.path,
                        expected_of(port));

@@ -270,7 +270,7 @@ void ProgramBuilder::link_default(const Node& node, std::uint32_t index, std::si
   if (input.default_text.empty()) {
     text::Diagnostic& d = sink_.error("missing-input", node.place,
                                       fmt::format("input `{}` of `{}` is not linked", visible, node.name));
-    hint(d, fmt::format("it takes {} {}{}{}{}", input.type->name, visible, unit_suffix(input.unit),
+    hint(d, fmt::format("`{}` takes {}{}{}", visible, value_of(*input.type, input.unit),
                         input.help.empty() ? "" : ": ", input.help));
     links.refs[which].push_back({});
     return;
@@ -389,8 +389,8 @@ ProgramBuilder::Ref ProgramBuilder::connect(Ref from, const TypeInfo& type, cons
     } else {
       text::Diagnostic& d =
           sink_.error("wrong-type", place,
-                      fmt::format("a {} is linked where a {} is expected", from.type->name, type.name));
-      d.label = fmt::format("this is {}{}", from.type->name, unit_suffix(from.seen_unit));
+                      fmt::format("{} is linked where {} is expected", value_of(*from.type), value_of(type)));
+      d.label = "this is " + value_of(*from.type, from.seen_unit);
       return {};
     }
   }

@@ -34,7 +34,7 @@ TEST(BuildProgram, NamesABehaviorThatItDoesNotKnow) {
 TEST(BuildProgram, NamesUnknownMissingAndDoubleInputs) {
   EXPECT_EQ(said_of(with_sink({node("a", "Add", {{"c", constant("1")}})}, "a")),
             "unknown-input: `Add` has no input `c` (its inputs are a, b)\n"
-            "missing-input: input `a` of `a` is not linked (it takes double a)\n");
+            "missing-input: input `a` of `a` is not linked (`a` takes a number)\n");
   EXPECT_EQ(said_of(with_sink({node("a", "Add", {{"a", constant("1")}, {"a", constant("2")}})}, "a")),
             "double-link: input `a` is linked twice\n");
 }
@@ -46,7 +46,7 @@ TEST(BuildProgram, NamesAnUnknownSource) {
 
 TEST(BuildProgram, RefusesTypesThatDoNotAgree) {
   EXPECT_EQ(said_of(with_sink({node("t", "After"), node("a", "Add", {{"a", name("t")}})}, "a")),
-            "wrong-type: a bool is linked where a double is expected\n");
+            "wrong-type: a truth value is linked where a number is expected\n");
   EXPECT_EQ(said_of(with_sink({node("a", "Add", {{"a", constant("fast")}})}, "a")),
             "wrong-type: `fast` is no number\n");
   EXPECT_EQ(said_of(with_sink(

@@ -10,6 +10,7 @@
 #include "mlab/flow/builder_hints.h"
 #include "mlab/flow/port_types.h"
 #include "mlab/flow/program_builder.h"
+#include "mlab/flow/type_words.h"
 
 namespace mlab::flow {
 
@@ -105,8 +106,8 @@ void ProgramBuilder::link_select(std::uint32_t index) {
     if (kind != TypeKind::kInteger && kind != TypeKind::kChoice && kind != TypeKind::kBool &&
         kind != TypeKind::kMask) {
       sink_.error("wrong-type", node.selector.place,
-                  fmt::format("a selector is an integer or a choice, `{}` is {}", node.selector.text,
-                              named->second.ref.type->name));
+                  fmt::format("a selector is a whole number, a truth value or a choice; `{}` is {}",
+                              node.selector.text, value_of(*named->second.ref.type)));
     }
     ops_[index].selector = named->second.ref;
   }

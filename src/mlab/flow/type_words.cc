@@ -1,9 +1,13 @@
 #include "mlab/flow/type_words.h"
 
+#include <algorithm>
 #include <cctype>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "mlab/flow/value_types.h"
 
 namespace mlab::flow {
 namespace {
@@ -16,6 +20,12 @@ std::string small_words(std::string_view name) {
     out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
   return out;
+}
+
+std::string with_article(std::string_view name) {
+  const bool is_vowel =
+      !name.empty() && std::string_view("AEIOaeio").find(name.front()) != std::string_view::npos;
+  return fmt::format("{} {}", is_vowel ? "an" : "a", name);
 }
 
 }  // namespace
@@ -39,6 +49,32 @@ std::string noun_of(const TypeInfo& type) {
     default:
       return small_words(type.name);
   }
+}
+
+std::string value_of(const TypeInfo& type) {
+  switch (type.kind) {
+    case TypeKind::kVector:
+    case TypeKind::kPoint:
+    case TypeKind::kPose:
+    case TypeKind::kOther:
+      return with_article(type.name);
+    case TypeKind::kText:
+      return "a text";
+    case TypeKind::kList:
+      return "a list of " + small_words(type.name);
+    default:
+      return with_article(noun_of(type));
+  }
+}
+
+std::string value_of(const TypeInfo& type, std::string_view unit) {
+  std::string out = value_of(type);
+  if (unit.empty()) return out;
+  const auto* const quantity = std::ranges::find_if(kQuantities, [&](const QuantityInfo& one) {
+    return one.unit == unit || (unit == "deg" && one.unit == "rad");
+  });
+  if (type.kind == TypeKind::kReal && quantity != kQuantities.end()) out = with_article(quantity->name);
+  return fmt::format("{} [{}]", out, unit);
 }
 
 std::string expected_of(const TypeInfo& type) {

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <expected>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,8 +12,10 @@
 #include <gtest/gtest.h>
 
 #include "mlab/cell/testing/permission.h"
+#include "mlab/history/recorder.h"
 #include "mlab/history/recording_file.h"
 #include "mlab/history/replay.h"
+#include "mlab/history/testing/small_disk.h"
 #include "mlab/history/testing/written_run.h"
 #include "mlab/mcap/reader.h"
 #include "mlab/mcap/writer.h"
@@ -21,6 +24,7 @@ namespace mlab::history {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::SmallDisk;
 using testing::WrittenRun;
 
 // A recording that was ended before its run was: by Ctrl-C.
@@ -104,6 +108,56 @@ TEST_F(GoOn, TakesTheEndOutAndIsTheRecordingOfTheWholeRun) {
     ASSERT_EQ(testing::all_of(replay->run()), whole_.values()[replay->run().cycle() - 1]);
   EXPECT_TRUE(replay->is_at_end());
   EXPECT_FALSE(replay->divergence());
+}
+
+TEST_F(GoOn, AFileToWhichNothingCanBeWrittenIsNotThere) {
+  const SmallDisk full(4);
+  const std::string path = (folder_ / "new.mcap").string();
+  const auto writer = RecordingWriter::create(path, 1.5e9);
+  ASSERT_FALSE(writer);
+  EXPECT_NE(writer.error().message.find("File too large"), std::string::npos) << writer.error().message;
+  EXPECT_FALSE(fs::exists(path));
+}
+
+// Its writer was killed within the index behind the last chunk, which has to be written anew.
+TEST_F(GoOn, WhereOnlyRoomIsMissingNoOtherFileIsBegunAndTheNextTimeItGoesOn) {
+  const std::string killed = (folder_ / "killed.mcap").string();
+  const auto record = [&](bool is_held, const Recorder::Place& place, const auto& then) {
+    WrittenRun written("demo_c/demo_c.mdl", 5, true);
+    Recorder recorder(place, written.run(), {"test", {}, 5, 1.5e9}, {}, is_held);
+    written.run().post(mission::event::Execute{});
+    for (int i = 0; i < 120; ++i) {
+      ASSERT_EQ(written.run().step(), run::MissionRun::Progress::kStepped);
+      recorder.note_cycle();
+    }
+    then(recorder);
+  };
+  record(
+      false, [this] { return (folder_ / "first.mcap").string(); },
+      [&](Recorder& recorder) {
+        recorder.note_rest();
+        fs::copy_file(folder_ / "first.mcap", killed);
+      });
+  const std::uint64_t known = read_recording(killed)->history->last_cycle();
+  ASSERT_GT(known, 100U);
+  fs::resize_file(killed, fs::file_size(killed) - 5);
+  const auto nowhere = []() -> std::expected<std::string, std::string> {
+    ADD_FAILURE() << "no place is asked for";
+    return std::unexpected("there is none");
+  };
+  record(true, nowhere, [&](Recorder& recorder) {
+    const SmallDisk full(fs::file_size(killed));
+    recorder.go_on(killed);
+    EXPECT_EQ(recorder.path(), killed);
+    EXPECT_FALSE(recorder.is_recording());
+    EXPECT_NE(recorder.problem().find("File too large"), std::string::npos) << recorder.problem();
+  });
+  EXPECT_EQ(read_recording(killed)->history->last_cycle(), known) << "what stood there can be read";
+  record(true, nowhere, [&](Recorder& recorder) {
+    recorder.go_on(killed);
+    EXPECT_TRUE(recorder.is_same_file());
+    EXPECT_EQ(recorder.problem(), "");
+  });
 }
 
 TEST_F(GoOn, AsOftenAsTheRunIsCutOff) {

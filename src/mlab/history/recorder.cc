@@ -77,6 +77,13 @@ void Recorder::go_on(const std::string& file) {
   none.message = "it was not recorded before";
   auto resumed =
       file.empty() ? std::unexpected(std::move(none)) : RecordingWriter::go_on(file, started_at_, in_file);
+  if (!resumed && resumed.error().kind == RecordingWriter::kNoRoom) {
+    // There is none for a new one either. Who resumes the run the next time goes on with this one.
+    path_ = file;
+    problem_ = std::move(resumed.error().message);
+    waiting_.clear();
+    return;
+  }
   if (!resumed) {
     why_anew_ = std::move(resumed.error().message);
     begin_file();

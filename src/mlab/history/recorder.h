@@ -52,7 +52,7 @@ class Recorder {
     if (file_) file_->flush();
   }
   /// The run goes on from here. What was held is told and recorded: in that file, where it holds the
-  /// beginning of the same, else in a new one.
+  /// beginning of the same, else in a new one; where only room is missing for the former, not at all.
   /// @param file  empty: there is none
   void go_on(const std::string& file);
   /// The recording is complete. Without, it is one of a run that was cut off.
@@ -80,7 +80,7 @@ class Recorder {
   bool is_held_;
   std::unique_ptr<RecordingWriter> file_;
   std::string path_;
-  std::string problem_;  // where there is no file
+  std::string problem_;  // where nothing is written to a file
   bool is_same_file_ = false;
   std::string why_anew_;
   HistoryWriter writer_;

@@ -39,6 +39,11 @@ std::unexpected<text::Diagnostic> no_recording(const std::string& path, const st
       problem_with("no-recording", fmt::format("`{}` is no recording of a run: {}", text::shown(path), why)));
 }
 
+// It may be otherwise the next time.
+bool is_for_want_of_room(int code) {
+  return code == ENOSPC || code == EDQUOT || code == EFBIG;
+}
+
 bool parse(const mcap::Message& message, wire::HistoryEntry& out) {
   return message.data.size() <= mcap::kMostRecordBytes &&
          out.ParseFromArray(message.data.data(), static_cast<int>(message.data.size()));
@@ -64,10 +69,12 @@ text::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
                           std::generic_category().message(errno))));
   ::close(made);
   auto writer = mcap::Writer::create(path);
-  if (!writer)
+  if (!writer) {
+    ::unlink(path.c_str());  // nobody could read what there is of it
     return std::unexpected(
         problem_with("can-not-write",
                      fmt::format("`{}` can't be written: {}", text::shown(path), writer.error().message)));
+  }
   return std::unique_ptr<RecordingWriter>(new RecordingWriter(path, started_at, std::move(*writer)));
 }
 
@@ -143,6 +150,8 @@ text::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::go_on(
   const auto held = held_of(path, entries);
   if (!held) return std::unexpected(held.error());
   auto resumed = mcap::Writer::resume(path, {}, held->bytes);
+  if (!resumed && is_for_want_of_room(resumed.error().code))
+    return std::unexpected(problem_with(kNoRoom, resumed.error().message));
   const std::uint64_t stands = resumed ? resumed->writer.summary().message_count : 0;
   if (!resumed || (held->bytes == UINT64_MAX ? stands != held->entries : stands > held->entries))
     return std::unexpected(

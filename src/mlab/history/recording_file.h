@@ -23,7 +23,11 @@ namespace mlab::history {
 /// came in is in the file before it has any effect; all else a second later at most, while time passes.
 class RecordingWriter {
  public:
-  /// Makes the file. One that is there already is left alone.
+  /// The kind of an error where nothing but room was missing: the next time there may be some.
+  static constexpr const char* kNoRoom = "no-room";
+
+  /// Makes the file. One that is there already is left alone; where nothing can be written to it, there is
+  /// none.
   /// @param started_at  wall clock at run time 0, seconds since 1970-01-01 00:00 UTC
   static text::Result<std::unique_ptr<RecordingWriter>> create(const std::string& path, double started_at);
 
@@ -31,7 +35,7 @@ class RecordingWriter {
   /// of the run that stands there is taken out.
   /// @param entries  all up to now
   /// @errors  what stands there is not the beginning of `entries`, but for an end; it is as it was then. The
-  ///          message says why it is not
+  ///          message says why it is not, and `kNoRoom` that it could have been
   static text::Result<std::unique_ptr<RecordingWriter>> go_on(const std::string& path, double started_at,
                                                               const std::vector<wire::HistoryEntry>& entries);
 

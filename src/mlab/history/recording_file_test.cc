@@ -1,6 +1,5 @@
 #include "mlab/history/recording_file.h"
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -16,12 +15,15 @@
 #include "mlab/history/recorder.h"
 #include "mlab/history/replay.h"
 #include "mlab/history/shelf.h"
+#include "mlab/history/testing/small_disk.h"
 #include "mlab/history/testing/written_run.h"
+#include "mlab/mcap/reader.h"
 
 namespace mlab::history {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::SmallDisk;
 using testing::WrittenRun;
 
 class RecordingFile : public ::testing::Test {
@@ -80,6 +82,32 @@ TEST_F(RecordingFile, HoldsTheWholeHistory) {
   EXPECT_EQ(summary->outcome, "interrupted");
 }
 
+// A disk may go bad in the middle: what stands in front of that is a run, also where both begin at the same
+// time.
+TEST_F(RecordingFile, OfWhichAPieceIsBrokenIsTheRunInFrontOfIt) {
+  WrittenRun written("demo_c/demo_c.mdl", 4, true);
+  carry_out(written);
+  write(written, path("run.mcap"));
+  const auto reader = mcap::Reader::open(path("run.mcap"));
+  ASSERT_TRUE(reader);
+  const auto& chunks = reader->summary().chunks;
+  ASSERT_GT(chunks.size(), 2U);
+  EXPECT_EQ(chunks[0].start_time, chunks[1].start_time);
+  std::ifstream stream(path("run.mcap"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  std::uint64_t known = 0;
+  for (std::size_t i = 1; i < chunks.size(); ++i) {
+    std::string broken = bytes;
+    broken[chunks[i].offset + chunks[i].length / 2] ^= 0x10;
+    std::ofstream(path("broken.mcap"), std::ios::binary) << broken;
+    const auto read = read_recording(path("broken.mcap"));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(read->cut.starts_with(fmt::format("at byte {}: a chunk ", chunks[i].offset))) << read->cut;
+    EXPECT_GE(read->history->last_cycle(), known);
+    known = read->history->last_cycle();
+  }
+}
+
 // A process may be killed at any moment: what stands is a run, up to there, or says that it is none.
 TEST_F(RecordingFile, ThatIsCutOffAnywhereIsTheRunUpToThere) {
   WrittenRun written("demo_c/demo_c.mdl", 4, true);
@@ -116,22 +144,6 @@ TEST_F(RecordingFile, ThatIsCutOffAnywhereIsTheRunUpToThere) {
   EXPECT_GT(most, 30U);
   EXPECT_GT(runs, 20U);
 }
-
-// No file of this process may be larger, as long as this is there.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit small{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 TEST_F(RecordingFile, OnAFullDiskEndsAndTheRunGoesOn) {
   WrittenRun written("demo_c/demo_c.mdl", 4, true);

@@ -23,6 +23,7 @@ struct Messages::Open {
   Room room;
   std::span<const std::byte> records;
   std::vector<Entry> entries;
+  std::string problem;  // the piece can't be read; it has one entry, where that is to be told
   std::size_t at = 0;
   std::uint64_t bytes = 0;  // of memory, by which the open ones are counted
 
@@ -78,18 +79,22 @@ text::Result<const Message*> Messages::next() {
   while (has_to_open()) {
     const Piece& piece = *waiting_.back();
     waiting_.pop_back();
-    if (const auto problem = open(piece))
-      return std::unexpected(text::Diagnostic{text::Severity::kError,
-                                              "broken-chunk",
-                                              fmt::format("at byte {}: {}", piece.offset, *problem),
-                                              {},
-                                              {},
-                                              {},
-                                              {}});
+    open(piece);
   }
   if (open_.empty()) return nullptr;
   std::ranges::pop_heap(open_, kIsLater);
   Open& earliest = *open_.back();
+  if (!earliest.problem.empty()) {
+    text::Diagnostic out{text::Severity::kError,
+                         "broken-chunk",
+                         fmt::format("at byte {}: {}", earliest.place, earliest.problem),
+                         {},
+                         {},
+                         {},
+                         {}};
+    open_.pop_back();
+    return std::unexpected(std::move(out));
+  }
   const Open::Entry entry = earliest.entries[earliest.at++];
   Cursor cursor(earliest.records.subspan(entry.offset + 1));
   message_ = *decode_message(cursor.take(cursor.number<std::uint64_t>()));
@@ -110,7 +115,7 @@ void Messages::keep_spare(std::unique_ptr<Open> one) {
   spare_.push_back(std::move(one));  // behind the others: the message that is given now lies in it
 }
 
-std::optional<std::string> Messages::open(const Piece& piece) {
+void Messages::open(const Piece& piece) {
   std::unique_ptr<Open> out = spare_.empty() ? std::make_unique<Open>() : std::move(spare_.back());
   if (!spare_.empty()) spare_.pop_back();
   auto problem = load(piece, *out);
@@ -121,12 +126,15 @@ std::optional<std::string> Messages::open(const Piece& piece) {
                           limits_.open_bytes);
   if (problem || out->entries.empty()) {
     keep_spare(std::move(out));
-    return problem;
+    if (!problem) return;
+    out = std::make_unique<Open>();
+    out->place = piece.offset;
+    out->problem = std::move(*problem);
+    out->entries.push_back({piece.start_time, 0});
   }
   open_bytes_ += out->bytes;
   open_.push_back(std::move(out));
   std::ranges::push_heap(open_, kIsLater);
-  return std::nullopt;
 }
 
 std::optional<std::string> Messages::load(const Piece& piece, Open& out) {

@@ -37,7 +37,7 @@ class Messages {
 
   /// The next message; null behind the last one. It and its bytes are valid until the next call.
   /// @errors  `broken-chunk`: the chunk that is next can't be read: none of its messages is given, and the
-  ///          next call goes on behind it
+  ///          next call goes on behind it. All messages that come before it have been given
   text::Result<const Message*> next();
 
  private:
@@ -46,7 +46,7 @@ class Messages {
   bool is_wanted(ChannelId channel) const { return channel.value < wanted_.size() && wanted_[channel.value]; }
   bool may_have_some(const Piece& piece) const;
   bool has_to_open() const;
-  std::optional<std::string> open(const Piece& piece);
+  void open(const Piece& piece);
   void keep_spare(std::unique_ptr<Open> one);
   std::optional<std::string> load(const Piece& piece, Open& out);
   std::optional<std::string> list(const Piece& piece, std::span<const std::byte> records, Open& out) const;

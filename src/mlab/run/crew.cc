@@ -58,8 +58,11 @@ class SaidOfMany {
         sink.report(one);
       }
     }
+    const auto is_told = [&](const Key& key) {
+      return std::ranges::any_of(told, [&](const auto& one) { return std::get<1>(one) == key; });
+    };
     for (const auto& [key, parameter] : outside_) {
-      if (!takers_.contains(key))
+      if (!takers_.contains(key) && !is_told(key))
         sink.error("unknown-parameter", parameter.place,
                    fmt::format("no robot of the mission has a parameter `{}`", text::shown(parameter.key)));
     }

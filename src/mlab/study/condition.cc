@@ -1,6 +1,7 @@
 #include "mlab/study/condition.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -97,6 +98,9 @@ class Tokens {
 
 namespace {
 
+// That a run may have.
+constexpr std::array<std::string_view, 4> kOutcomes = {"done", "failed", "aborted", "interrupted"};
+
 std::vector<std::string> known_names() {
   std::vector<std::string> out = {"outcome"};
   for (const NumberInfo& info : kNumbers) out.emplace_back(info.name);
@@ -178,7 +182,8 @@ class ConditionParser {
       if (value.kind != Token::Kind::kNumber) fail("a number");
       node.value = value.value;
     } else {
-      if (value.kind != Token::Kind::kWord) fail("an outcome such as `done` or `failed`");
+      if (value.kind != Token::Kind::kWord || std::ranges::find(kOutcomes, value.text) == kOutcomes.end())
+        fail("an outcome: `done`, `failed`, `aborted` or `interrupted`");
       node.word = value.text;
     }
     if (problem_) return 0;

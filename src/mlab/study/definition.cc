@@ -175,7 +175,8 @@ std::optional<text::Diagnostic> settle(Definition& d) {
     out.place = place;
     return out;
   };
-  if (d.mission.empty()) return wrong("no-mission", {}, "a batch has a mission");
+  if (d.mission.empty())
+    return wrong("no-mission", {}, "no mission is named: expected `mission = \"FILE.mdl\"`");
   const Dimension* first = nullptr;
   for (std::size_t i = 0; i < d.dimensions.size(); ++i) {
     const Dimension& one = d.dimensions[i];

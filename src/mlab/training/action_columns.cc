@@ -10,6 +10,7 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/flow/interventions.h"
+#include "mlab/flow/type_words.h"
 #include "mlab/text/shown.h"
 #include "mlab/training/seen_columns.h"
 
@@ -41,7 +42,7 @@ std::size_t part_count(TypeKind kind) {
 std::optional<std::string> why_never(const flow::Program& program, const flow::Port& port,
                                      bool takes_outputs) {
   if (!takes_numbers(port.type->kind))
-    return fmt::format("`{}` is of type {}, which numbers can't set", port.path, port.type->name);
+    return fmt::format("`{}` is {}, which numbers can't set", port.path, flow::value_of(*port.type));
   if (port.role != Role::kOutput) return std::nullopt;
   if (!takes_outputs)
     return fmt::format("`{}` is the output of a node; here parameters and constants are set", port.path);

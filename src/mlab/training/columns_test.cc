@@ -79,6 +79,10 @@ TEST(SeenColumns, SayWhatThereIsInPlaceOfWhatThereIsNot) {
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().find("has no port `cruse`; did you mean `cruise`?"), std::string::npos)
       << none.error();
+  const auto bodiless = SeenColumns::of(*forward(), Names{"body.nope"}, {});
+  ASSERT_FALSE(bodiless);
+  EXPECT_TRUE(bodiless.error().starts_with("`body.nope`: of a body there are body.pose, "))
+      << bodiless.error();
   const auto ringless = SeenColumns::of(*forward(), Names{"body.ranges"}, {});
   ASSERT_FALSE(ringless);
   EXPECT_EQ(ringless.error(), "`body.ranges`: the robot has no ring of range sensors");

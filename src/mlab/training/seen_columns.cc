@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/angle.h"
+#include "mlab/flow/type_words.h"
 #include "mlab/text/diagnostic.h"
 #include "mlab/text/shown.h"
 #include "mlab/text/wildcard.h"
@@ -115,13 +116,18 @@ std::expected<SeenColumns, std::string> SeenColumns::of(const flow::Program& pro
     if (name == "body.ranges")
       return std::unexpected("`body.ranges`: the robot has no ring of range sensors");
     const flow::Port* const port = program.find(name);
+    if (port == nullptr && name.starts_with("body."))
+      return std::unexpected(
+          fmt::format("`{}`: of a body there are body.pose, body.x, body.y, body.heading, body.contacts, "
+                      "body.driven and body.ranges",
+                      text::shown(name)));
     if (port == nullptr) return std::unexpected(no_such_port(program, name));
     if (is_number(port->type->kind)) {  // found by another one of its names
       out.add_ports(program, port->path);
       continue;
     }
     return std::unexpected(
-        fmt::format("`{}` is of type {}, which is no number", text::shown(name), port->type->name));
+        fmt::format("`{}` is {}, and no number", text::shown(name), flow::value_of(*port->type)));
   }
   return out;
 }

@@ -21,7 +21,7 @@ test("a wire of another type is refused while it is drawn, with the reason, and 
   const sum = designer.named("cooperate");
   const noise = designer.named("Noise");
   await designer.hold(designer.output(designer.named("near")), designer.input(sum, "members"));
-  await designer.page.getByText("it takes Vector, and this is bool").waitFor();
+  await designer.page.getByText("it takes a Vector, and this is a truth value").waitFor();
   await sum.locator(".row.refused").first().waitFor();
   await designer.page.mouse.up();
   await designer.hold(designer.output(noise), designer.result);

@@ -35,10 +35,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the command line says counts more than what the file says.
-void give_way(study::Definition& definition, const study::Dimension& given) {
-  std::erase_if(definition.dimensions,
-                [&](const study::Dimension& one) { return one.name.text == given.name.text; });
+// What the command line says counts more than what the file says. What is wrong in it is told where it is
+// taken.
+void give_way(study::Definition& of_file, const BatchOptions& options) {
+  for (const auto& [field, value] : options.given) {
+    if (field != "set") continue;
+    study::Definition given;
+    if (study::take(given, field, study::written_in_option("--set", value))) continue;
+    std::erase_if(of_file.dimensions, [&](const study::Dimension& one) {
+      return one.name.text == given.dimensions.front().name.text;
+    });
+  }
 }
 
 // The definition out of file and options. Nothing where it can't be understood, which is told.
@@ -53,13 +60,10 @@ std::optional<study::Definition> definition_of(const BatchOptions& options) {
   } else if (auto problem = study::take(out, "mission", study::written_in_option("MISSION", options.file))) {
     sink.report(std::move(*problem));
   }
+  give_way(out, options);
   for (const auto& [field, value] : options.given) {
-    study::Definition one;
-    const study::Written written = study::written_in_option("--" + field, value);
-    auto problem = study::take(one, field, written);
-    if (!problem && field == "set") give_way(out, one.dimensions.front());
-    if (!problem) problem = study::take(out, field, written);
-    if (problem) sink.report(std::move(*problem));
+    if (auto problem = study::take(out, field, study::written_in_option("--" + field, value)))
+      sink.report(std::move(*problem));
   }
   if (!sink.has_errors()) {
     if (auto problem = study::settle(out)) sink.report(std::move(*problem));

@@ -119,7 +119,8 @@ int compare(const CompareOptions& options) {
     fmt::print("{}", comparison::report_of(result));
   if (!options.page.empty()) {
     if (!write_file(options.page, comparison::page_of(result, kVersion))) {
-      fmt::print(stderr, "mlab compare: the page {} could not be written\n", options.page);
+      fmt::print(stderr, "mlab compare: the page {} could not be written{}\n", options.page,
+                 why_not_written());
       return kFailed;
     }
     if (!options.json) fmt::print("page: {}\n", options.page);

@@ -159,6 +159,10 @@ bool outputs_are_usable(const ReplayOptions& options) {
         options.record);
     return false;
   }
+  if (!options.record.empty() && !is_writable(options.record)) {
+    fmt::print(stderr, "mlab replay: --record {}: the file can't be written\n", options.record);
+    return false;
+  }
   return true;
 }
 

@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <map>
+#include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,11 +17,14 @@
 
 #include <fmt/format.h>
 
+#include "mlab/base/counted.h"
 #include "mlab/cli/commands.h"
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/recorded_run.h"
 #include "mlab/flow/program.h"
+#include "mlab/text/diagnostic.h"
 #include "mlab/text/escape.h"
+#include "mlab/text/shown.h"
 #include "mlab/text/wildcard.h"
 
 namespace mlab::cli {
@@ -52,6 +58,7 @@ class Columns {
     if (sources_.contains(&program)) return;
     std::map<std::string, Source>& sources = sources_[&program];
     for (const flow::Port& port : program.ports()) {
+      if (is_first) known_.insert(port.path);
       const auto parts = parts_of(port);
       for (std::size_t i = 0; i < parts.size(); ++i) {
         std::string name = port.path + std::string(parts[i]);
@@ -62,6 +69,16 @@ class Columns {
     }
   }
   const std::vector<std::string>& names() const { return names_; }
+  /// Of the options' patterns, in their order.
+  std::vector<std::string> patterns_of_nothing() const {
+    std::vector<std::string> out;
+    for (std::size_t i = 0; i < options_.ports.size(); ++i) {
+      if (!matched_.contains(i)) out.push_back(options_.ports[i]);
+    }
+    return out;
+  }
+  /// Paths of ports that were looked at, whether wanted or not.
+  std::vector<std::string> known() const { return {known_.begin(), known_.end()}; }
 
   std::string row(const robot::Workings& at) const {
     std::string out;
@@ -79,14 +96,21 @@ class Columns {
     const flow::Port* port = nullptr;
     std::size_t part = 0;
   };
-  bool is_wanted(const flow::Port& port, const std::string& name) const {
+  bool is_wanted(const flow::Port& port, const std::string& name) {
     if (options_.ports.empty()) return port.role == flow::Port::Role::kOutput;
-    return std::ranges::any_of(options_.ports, [&](const std::string& pattern) {
-      return text::matches(port.path, pattern) || text::matches(name, pattern);
-    });
+    bool out = false;
+    for (std::size_t i = 0; i < options_.ports.size(); ++i) {
+      const std::string& pattern = options_.ports[i];
+      if (!text::matches(port.path, pattern) && !text::matches(name, pattern)) continue;
+      matched_.insert(i);
+      out = true;
+    }
+    return out;
   }
 
   const TraceOptions& options_;
+  std::set<std::size_t> matched_;  // patterns, by their number
+  std::set<std::string> known_;
   std::vector<std::string> names_;
   std::map<const flow::Program*, std::map<std::string, Source>> sources_;
 };
@@ -97,17 +121,22 @@ bool is_wanted(const fleet::FleetRobot& robot, const TraceOptions& options) {
          robot.workings();
 }
 
-void print_rows(const run::MissionRun& run, const Columns& columns, const TraceOptions& options) {
+// @return  whether there were any
+bool print_rows(const run::MissionRun& run, const Columns& columns, const TraceOptions& options) {
+  bool has_any = false;
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     if (robot.life == fleet::RobotLife::kNotStarted || !is_wanted(robot, options)) continue;
     const geom::Pose& pose = run.fleet().pose(robot);
     fmt::print("{},{},{},{},{},{}{}\n", run.cycle(), run.time(), robot.id.value, pose.position.x,
                pose.position.y, pose.heading, columns.row(robot.workings()));
+    has_any = true;
   }
+  return has_any;
 }
 
 // Of programs that the recording knows by their answers alone no port can be told.
-void tell_of_closed(const run::MissionRun& run, const TraceOptions& options) {
+// @return  whether there are any
+bool tell_of_closed(const run::MissionRun& run, const TraceOptions& options) {
   std::vector<std::string> closed;
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     const bool is_named =
@@ -115,29 +144,66 @@ void tell_of_closed(const run::MissionRun& run, const TraceOptions& options) {
     if (is_named && robot.runner != nullptr && !robot.workings())
       closed.push_back(fmt::format("{}", robot.id.value));
   }
-  if (closed.empty()) return;
-  fmt::print(stderr,
-             "mlab trace: of robots {} only what their programs answered is recorded, since these are in "
-             "executables "
-             "or were elsewhere in real time; none of their ports can be told\n",
-             fmt::join(closed, ", "));
+  if (closed.empty()) return false;
+  fmt::print(
+      stderr,
+      "mlab trace: of {} {} only what their programs answered is recorded, since these are in executables "
+      "or were elsewhere in real time; none of their ports can be told\n",
+      closed.size() == 1 ? "robot" : "robots", fmt::join(closed, ", "));
+  return true;
 }
 
-// @return  false: what the options name is not there, which is told
-bool find_columns(const run::MissionRun& run, const TraceOptions& options, Columns& columns) {
-  for (const std::uint32_t id : options.robots) {
-    if (run.fleet().find({id}) != nullptr) continue;
-    fmt::print(stderr, "mlab trace: --robot {}: there is no such robot when the run begins\n", id);
-    return false;
-  }
-  tell_of_closed(run, options);
+// Robots that the options name, and that are not there now.
+std::vector<std::uint32_t> missing_robots(const run::MissionRun& run, const TraceOptions& options) {
+  std::vector<std::uint32_t> out;
+  std::ranges::copy_if(options.robots, std::back_inserter(out),
+                       [&](std::uint32_t id) { return run.fleet().find({id}) == nullptr; });
+  return out;
+}
+
+void add_all(const run::MissionRun& run, const TraceOptions& options, Columns& columns) {
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     if (is_wanted(robot, options)) columns.add(*robot.workings().program, true);
   }
+}
+
+// Robots may come when a run goes on, with programs that no other has: it is computed once more, up to there.
+// @return  false: what the options name is not there, which is told
+bool find_later_robots(const RecordedRun& recorded, const TraceOptions& options,
+                       std::vector<std::uint32_t> missing, Columns& columns) {
+  const std::unique_ptr<history::Replay> replay = replay_of(recorded.history, options.replay);
+  if (replay == nullptr) return false;
+  replay->run().set_meanwhile(was_interrupted);
+  note_interrupts();
+  while (!missing.empty() && !was_interrupted() && replay->step())
+    missing = missing_robots(replay->run(), options);
+  add_all(replay->run(), options, columns);
+  if (missing.empty()) return true;
+  if (!was_interrupted())
+    fmt::print(stderr, "mlab trace: --robot {}: there is no such robot in the whole run\n", missing.front());
+  return false;
+}
+
+// @return  false: what the options name is not there, which is told
+bool find_columns(const RecordedRun& recorded, const TraceOptions& options, Columns& columns) {
+  const run::MissionRun& run = recorded.replay->run();
+  const bool has_closed = tell_of_closed(run, options);
+  add_all(run, options, columns);
+  if (std::vector<std::uint32_t> missing = missing_robots(run, options);
+      !missing.empty() && !find_later_robots(recorded, options, std::move(missing), columns))
+    return false;
+  const std::vector<std::string> known = columns.known();
+  if (known.empty() && has_closed) return false;
+  for (const std::string& pattern : columns.patterns_of_nothing()) {
+    const std::string nearest = text::nearest_name(pattern, known);
+    fmt::print(stderr, "mlab trace: --ports '{}': no port of these robots matches{}\n",
+               text::shown(pattern, 200),
+               nearest.empty() ? std::string() : fmt::format("; did you mean `{}`?", nearest));
+  }
   if (!columns.names().empty()) return true;
-  fmt::print(stderr,
-             "mlab trace: no port of these robots matches; `mlab describe` and `mlab build --emit cnl` "
-             "say what they are called\n");
+  fmt::print(
+      stderr,
+      "mlab trace: no port of these robots matches; --ports '*' shows all, and what they are called\n");
   return false;
 }
 
@@ -160,6 +226,11 @@ void print_recorded(const history::History& history, const TraceOptions& options
 }  // namespace
 
 int trace(const TraceOptions& options) {
+  if (options.to && options.from > *options.to) {
+    fmt::print(stderr, "mlab trace: --from {} --to {}: nothing lies between them\n", options.from,
+               *options.to);
+    return kBadInput;
+  }
   const RecordedRun recorded = open_recording(options.replay);
   if (!recorded.history) return kBadInput;
   if (!recorded.replay) {
@@ -168,20 +239,28 @@ int trace(const TraceOptions& options) {
   }
   run::MissionRun& run = recorded.replay->run();
   Columns columns(options);
-  if (!find_columns(run, options, columns)) return kBadInput;
+  if (!find_columns(recorded, options, columns)) return kBadInput;
   fmt::print("cycle,time,robot,x,y,heading");
   for (const std::string& name : columns.names()) fmt::print(",{}", text::csv_field(name));
   fmt::print("\n");
   run.set_meanwhile(was_interrupted);
   note_interrupts();
+  bool has_rows = false;
   while (!was_interrupted() && recorded.replay->step()) {
     if (options.to && run.time() > *options.to) break;
     if (run.time() < options.from || run.cycle() % options.every != 0) continue;
     for (const fleet::FleetRobot& robot : run.fleet().robots()) {
       if (robot.workings()) columns.add(*robot.workings().program, false);
     }
-    print_rows(run, columns, options);
+    has_rows = print_rows(run, columns, options) || has_rows;
   }
+  if (!has_rows && !was_interrupted())
+    fmt::print(stderr,
+               "mlab trace: no row: of these robots none goes on in a cycle that is asked for, from {} s on; "
+               "the run "
+               "has {}, up to {:.1f} s\n",
+               options.from, base::counted(recorded.history->last_cycle(), "cycle"),
+               recorded.history->last_time());
   if (recorded.replay->divergence()) fmt::print(stderr, "{}\n", outcome_of(*recorded.replay));
   return recorded.replay->divergence() || was_interrupted() ? kFailed : kDone;
 }

@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/base/angle.h"
 #include "mlab/console/published/overview.h"
 #include "mlab/console/run/measure_series.h"
 #include "mlab/text/shown.h"
@@ -32,35 +33,17 @@ constexpr std::array<std::pair<std::string_view, Series::Quantity>, 7> kQuantiti
     {"heading", Series::HEADING},
 }};
 
-enum class Comparison { kLess, kAtMost, kMore, kAtLeast, kEqual, kUnequal };
+using Comparison = Breakpoint::Condition::Comparison;
 
 constexpr std::array<std::pair<std::string_view, Comparison>, 7> kComparisons = {{
-    {"<", Comparison::kLess},
-    {"<=", Comparison::kAtMost},
-    {">", Comparison::kMore},
-    {">=", Comparison::kAtLeast},
-    {"=", Comparison::kEqual},
-    {"==", Comparison::kEqual},
-    {"!=", Comparison::kUnequal},
+    {"<", Breakpoint::Condition::LESS},
+    {"<=", Breakpoint::Condition::LESS_OR_EQUAL},
+    {">", Breakpoint::Condition::GREATER},
+    {">=", Breakpoint::Condition::GREATER_OR_EQUAL},
+    {"=", Breakpoint::Condition::EQUAL},
+    {"==", Breakpoint::Condition::EQUAL},
+    {"!=", Breakpoint::Condition::NOT_EQUAL},
 }};
-
-bool holds(double value, Comparison comparison, double bound) {
-  switch (comparison) {
-    case Comparison::kLess:
-      return value < bound;
-    case Comparison::kAtMost:
-      return value <= bound;
-    case Comparison::kMore:
-      return value > bound;
-    case Comparison::kAtLeast:
-      return value >= bound;
-    case Comparison::kEqual:
-      return value == bound;
-    case Comparison::kUnequal:
-      return value != bound;
-  }
-  return false;
-}
 
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> out;
@@ -133,14 +116,37 @@ bool is_in_state(const FleetRobot& robot, const std::string& state) {
   return false;
 }
 
+// As the console shows a heading: 0 to 360.
+double degrees_shown(double heading) {
+  const double degrees = base::degrees(heading);
+  return degrees < 0.0 ? degrees + 360.0 : degrees;
+}
+
 auto compared(const Series& series, const std::string& name, Comparison comparison, double bound) {
   return [=](const run::MissionRun& run, const FleetRobot& robot) -> std::optional<std::string> {
     Series of_robot = series;
     of_robot.set_robot(robot.id.value);
-    const auto value = measure(run, of_robot);
-    if (!value || !holds(*value, comparison, bound)) return std::nullopt;
+    auto value = measure(run, of_robot);
+    if (value && series.quantity() == Series::HEADING) value = degrees_shown(*value);
+    if (!value || !compares(*value, comparison, bound)) return std::nullopt;
     return fmt::format("{} of robot {} was {:.4g}", clean(name), robot.id.value, *value);
   };
+}
+
+// Why no robot of these (0: any) has a number there.
+std::optional<std::string> why_no_number(const run::MissionRun& run, std::uint32_t robot_id,
+                                         const std::string& port) {
+  Series series;
+  series.set_quantity(Series::PORT);
+  series.set_port(port);
+  std::string why;
+  for (const FleetRobot& robot : run.fleet().robots()) {
+    if (robot_id != 0 && robot.id.value != robot_id) continue;
+    series.set_robot(robot.id.value);
+    why = problem_of(run, series);
+    if (why.empty()) return std::nullopt;
+  }
+  return why.empty() ? "there is no robot" : why;
 }
 
 }  // namespace
@@ -171,7 +177,8 @@ struct Condition::Reader {
       return {};
     }
     if (!skip("robot")) return expected("`robot N` or `any robot`");
-    const auto number = robot_of(peek());
+    // `robot 2: movement goes from ...`, as a halt is told
+    const auto number = robot_of(peek().ends_with(':') ? peek().substr(0, peek().size() - 1) : peek());
     if (!number) return expected("a robot's number");
     take();
     out.robot_ = *number;
@@ -241,28 +248,53 @@ struct Condition::Reader {
     return {};
   }
 
+  // Empty: any.
+  std::string state() {
+    const std::string_view name = take();
+    return name == "any" ? "" : std::string(name);
+  }
+
+  std::expected<void, std::string> transition(Condition& out, const std::string& sequence) {
+    Breakpoint::Transition& wanted = *out.breakpoint_.emplace().mutable_transition();
+    wanted.set_sequence(sequence);
+    if (peek() != "from" && peek() != "to") return expected("`from STATE` or `to STATE`");
+    for (const std::string_view word : {"from", "to"}) {
+      if (!skip(word)) continue;
+      if (peek().empty()) return expected("the name of a state, or `any`");
+      word == "from" ? wanted.set_from(state()) : wanted.set_to(state());
+    }
+    return {};
+  }
+
+  // A quantity is a number; a port may hold a word.
   std::expected<void, std::string> comparison(Condition& out) {
     if (peek().empty())
       return expected("`nearer than`, `farther than`, `in contact`, `in state`, a quantity or a port");
-    Series series;
     const std::string name(take());
+    if (skip("goes")) return transition(out, name);
     const auto* const quantity =
         std::ranges::find(kQuantities, name, &std::pair<std::string_view, Series::Quantity>::first);
-    if (quantity != kQuantities.end()) {
-      series.set_quantity(quantity->second);
-    } else {
-      series.set_quantity(Series::PORT);
-      series.set_port(name);
-      out.port_ = name;
-    }
     const auto* const how =
         std::ranges::find(kComparisons, peek(), &std::pair<std::string_view, Comparison>::first);
     if (how == kComparisons.end()) return expected("`<`, `<=`, `>`, `>=`, `=` or `!=`");
     take();
     const auto bound = number_of(peek());
-    if (!bound) return expected("a number");
+    if (quantity != kQuantities.end()) {
+      if (!bound) return expected("a number");
+      Series series;
+      series.set_quantity(quantity->second);
+      out.test_ = compared(series, name, how->second, *bound);
+    } else {
+      const bool may_be_word =
+          how->second == Breakpoint::Condition::EQUAL || how->second == Breakpoint::Condition::NOT_EQUAL;
+      if (peek().empty() || (!bound && !may_be_word))
+        return expected(may_be_word ? "a number or a word" : "a number");
+      Breakpoint::Condition& wanted = *out.breakpoint_.emplace().mutable_condition();
+      wanted.set_port(name);
+      wanted.set_comparison(how->second);
+      wanted.set_value(std::string(peek()));
+    }
     take();
-    out.test_ = compared(series, name, how->second, *bound);
     return {};
   }
 
@@ -281,7 +313,16 @@ std::expected<Condition, std::string> Condition::parse(std::string_view text) {
   if (auto read = reader.subject(out); !read) return std::unexpected(std::move(read.error()));
   if (auto read = reader.predicate(out); !read) return std::unexpected(std::move(read.error()));
   if (reader.next < reader.words.size()) return reader.expected("nothing more");
+  if (!out.breakpoint_) return out;
+  if (out.robot_ != 0) out.breakpoint_->add_robots(out.robot_);
+  std::string problem;
+  if (out.halts_.set(*out.breakpoint_, problem) == 0) return std::unexpected(std::move(problem));
   return out;
+}
+
+void Condition::forget() {
+  standing_.clear();
+  halts_.change(nullptr);
 }
 
 std::optional<std::string> Condition::why_never(const run::MissionRun& run) const {
@@ -289,21 +330,25 @@ std::optional<std::string> Condition::why_never(const run::MissionRun& run) cons
     return fmt::format("there is no robot {}", robot_);
   if (!place_.empty() && find_place(run, place_) == nullptr)
     return fmt::format("the map has no place `{}`", clean(place_));
-  if (port_.empty()) return std::nullopt;
-  Series series;
-  series.set_quantity(Series::PORT);
-  series.set_port(port_);
-  std::string why;
-  for (const FleetRobot& robot : run.fleet().robots()) {
-    if (robot_ != 0 && robot.id.value != robot_) continue;
-    series.set_robot(robot.id.value);
-    why = problem_of(run, series);
-    if (why.empty()) return std::nullopt;
-  }
-  return why.empty() ? "there is no robot" : why;
+  if (!breakpoint_) return std::nullopt;
+  if (const Breakpoint::Condition& asked = breakpoint_->condition();
+      breakpoint_->has_condition() && number_of(asked.value()))
+    return why_no_number(run, robot_, asked.port());
+  BreakpointTable table = halts_;
+  table.begin(&run);
+  Breakpoints told;
+  table.encode(told);
+  const std::string& why = told.breakpoints(0).error();
+  return why.empty() ? std::nullopt : std::optional(why);
 }
 
 std::optional<Condition::Met> Condition::look(const run::MissionRun& run) {
+  if (breakpoint_) {
+    Halted halted;
+    halts_.look(run, halted);
+    if (halted.hits().empty()) return std::nullopt;
+    return Met{halted.hits(0).robot(), halted.hits(0).text()};
+  }
   std::optional<Met> out;
   for (const FleetRobot& robot : run.fleet().robots()) {
     if ((robot_ != 0 && robot.id.value != robot_) || !is_in_world(robot)) continue;

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "mlab/console.pb.h"
+#include "mlab/console/run/breakpoints.h"
 #include "mlab/fleet/fleet_robot.h"
 #include "mlab/run/mission_run.h"
 
@@ -21,10 +23,13 @@ namespace mlab::console {
 ///     robot 2 in state Return
 ///     robot 2 speed > 1.5
 ///     any robot Forward.magnitude <= 0.1
+///     any robot active_task = moveto
+///     robot 2 movement goes from Searching to Return
 ///
 /// What it is near to is an obstacle (edge to edge, walls as well), a robot, its goal, or a place of the map
-/// (its middle). What is compared is one of the words of Series.Quantity with hyphens, or a port that holds a
-/// number.
+/// (its middle). What is compared is one of the words of Series.Quantity with hyphens, a heading in degrees,
+/// or a port. Of ports and transitions it is true when a breakpoint of the same would halt the run; the
+/// sentence that tells of a halt at a transition is such a condition.
 class Condition {
  public:
   static constexpr std::string_view kExamples =
@@ -43,7 +48,7 @@ class Condition {
   };
   std::optional<Met> look(const run::MissionRun& run);
   /// The next look only notes how it stands.
-  void forget() { standing_.clear(); }
+  void forget();
 
  private:
   /// A sentence where it is true.
@@ -53,9 +58,10 @@ class Condition {
 
   std::uint32_t robot_ = 0;  // 0: any
   std::string place_;        // of the map, that it names
-  std::string port_;         // that it names
   bool is_contact_ = false;
   Test test_;
+  std::optional<Breakpoint> breakpoint_;  // in place of a test: its robots are not filled in
+  BreakpointTable halts_;                 // that alone
   struct Standing {
     bool was_true = false;
     std::uint32_t contacts = 0;

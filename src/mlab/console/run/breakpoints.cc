@@ -24,25 +24,6 @@ std::optional<double> number_of(const std::string& text) {
   return out;
 }
 
-bool compares(double a, Condition::Comparison how, double b) {
-  switch (how) {
-    case Condition::EQUAL:
-      return a == b;
-    case Condition::NOT_EQUAL:
-      return a != b;
-    case Condition::LESS:
-      return a < b;
-    case Condition::LESS_OR_EQUAL:
-      return a <= b;
-    case Condition::GREATER:
-      return a > b;
-    case Condition::GREATER_OR_EQUAL:
-      return a >= b;
-    default:
-      return false;
-  }
-}
-
 const char* sign_of(Condition::Comparison how) {
   constexpr const char* kSigns[] = {"=", "!=", "<", "<=", ">", ">="};
   return how >= Condition::EQUAL && how <= Condition::GREATER_OR_EQUAL ? kSigns[how] : "?";
@@ -95,6 +76,25 @@ std::string problem_with(const Breakpoint& wanted, const std::optional<double>& 
 }
 
 }  // namespace
+
+bool compares(double a, Breakpoint::Condition::Comparison how, double b) {
+  switch (how) {
+    case Condition::EQUAL:
+      return a == b;
+    case Condition::NOT_EQUAL:
+      return a != b;
+    case Condition::LESS:
+      return a < b;
+    case Condition::LESS_OR_EQUAL:
+      return a <= b;
+    case Condition::GREATER:
+      return a > b;
+    case Condition::GREATER_OR_EQUAL:
+      return a >= b;
+    default:
+      return false;
+  }
+}
 
 std::uint32_t BreakpointTable::set(const Breakpoint& wanted, std::string& error) {
   Entry one{wanted, std::nullopt};
@@ -222,6 +222,8 @@ void BreakpointTable::look_at(const fleet::FleetRobot& robot, Halted& out) {
   const std::byte* const frame = robot.workings().frame;
   Robot& known = robots_[robot.id.value];
   const bool is_new = std::exchange(known.program, &program) != &program;
+  // It may lie where another one lay.
+  if (is_new) meanings_.erase(&program);
   const std::vector<Program::SequenceState> before = std::exchange(known.states, {});
   program.sequence_states(frame, known.states);
   const bool is_first_cycle = Program::cycle(frame) <= 1;

@@ -12,6 +12,8 @@
 
 namespace mlab::console {
 
+bool compares(double a, Breakpoint::Condition::Comparison how, double b);
+
 /// Where a run is to pause: transitions and conditions of robots' programs. They stay from one run to the
 /// next. Looking reads only, so a run with breakpoints is the same as one without, but for when it pauses.
 class BreakpointTable {

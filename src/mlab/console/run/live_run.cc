@@ -27,7 +27,7 @@ LiveRun::~LiveRun() {
 
 // When there is one, and when it does not go on.
 void LiveRun::tell_recording() {
-  if (const std::string& path = recorder_->path(); path != told_path_) {
+  if (const std::string& path = recorder_->path(); path != told_path_ && recorder_->is_recording()) {
     told_path_ = path;
     std::string text = fmt::format("this run is recorded in {}", path);
     if (recorder_->is_same_file()) text = fmt::format("this run goes on being recorded in {}", path);

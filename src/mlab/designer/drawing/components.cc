@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "mlab/flow/frame.h"
+#include "mlab/flow/type_words.h"
 #include "mlab/lang/cdl/print/print.h"
 #include "mlab/lang/cdl/syntax/lexer.h"
 #include "mlab/lang/cdl/types/units.h"
@@ -55,10 +56,6 @@ double in_unit(const cdl::Number& number, const std::string& unit) {
   const auto to = cdl::unit_named(unit);
   const auto from = number.unit.text.empty() ? to : cdl::unit_named(number.unit.text);
   return from && to ? cdl::converted(number.value, *from, *to).value_or(number.value) : number.value;
-}
-
-std::string with_unit(const cdl::PortType& type) {
-  return type.unit.empty() ? type.name() : fmt::format("{} [{}]", type.name(), type.unit);
 }
 
 }  // namespace
@@ -147,15 +144,9 @@ Callable Components::of(const flow::Library::Entry& entry) const {
 }
 
 std::string why_not(const cdl::PortType& have, const cdl::PortType& want) {
-  switch (cdl::misfit(have, want)) {
-    case cdl::Misfit::kNone:
-      return "";
-    case cdl::Misfit::kType:
-      return fmt::format("it takes {}, and this is {}", with_unit(want), with_unit(have));
-    case cdl::Misfit::kUnit:
-      return fmt::format("it takes a value in {}, and this is in {}", want.unit, have.unit);
-  }
-  return "";
+  if (cdl::misfit(have, want) == cdl::Misfit::kNone) return "";
+  return fmt::format("it takes {}, and this is {}", flow::value_of(*want.type, want.unit),
+                     flow::value_of(*have.type, have.unit));
 }
 
 std::vector<std::string> choices_of(const cdl::PortType& type) {

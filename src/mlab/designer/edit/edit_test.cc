@@ -78,7 +78,7 @@ TEST(Edit, RefusesAWireThatDoesNotFit) {
     wire.set_to_node("cooperate");
     wire.set_to_port("members");
   }),
-            "it takes Vector, and this is bool");
+            "it takes a Vector, and this is a truth value");
 }
 
 TEST(Edit, RefusesAParameterThatIsCalledAsAValue) {

@@ -234,7 +234,8 @@ TEST(Equipment, SaysWhyAComponentCantServe) {
   device(text, "Cart", "", "sense_obstacles", "DetectObstacles");
   EXPECT_EQ(text.text(), "class Cart {\n  sensor obstacles: DetectObstacles() binds sense_obstacles;\n}\n");
   EXPECT_EQ(why_no_device(text, "Cart", "", "sense_robots", "DetectObstacles"),
-            "`DetectObstacles` can't serve `sense_robots`: it takes Robots, and this is Obstacles");
+            "`DetectObstacles` can't serve `sense_robots`: it takes a list of robots, and this is a list of "
+            "obstacles");
   EXPECT_EQ(why_no_device(text, "Cart", "", "movement", "DetectObstacles"),
             "`DetectObstacles` can't serve `movement`: it gives a value and moves nothing");
   EXPECT_EQ(why_no_device(text, "Cart", "", "sense_robots", "Drive"),

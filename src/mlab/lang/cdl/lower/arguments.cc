@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "mlab/flow/type_words.h"
+
 namespace mlab::cdl {
 
 std::vector<GivenArgument> given_by(const Call& call, Scope& scope) {
@@ -68,9 +70,9 @@ std::vector<int> Arguments::match(const Word& callee, const std::vector<GivenArg
 void Arguments::say_missing(const Word& callee, const std::string& name, const PortType& type,
                             const std::string& help) {
   findings_.error("missing-argument", callee.place, fmt::format("`{}` needs `{}`", callee.text, name))
-      .hints.push_back(fmt::format("`{} = ...` takes {}{}{}{}", name,
-                                   type.type == nullptr ? "a value" : std::string(type.type->name),
-                                   bracketed(type.unit), help.empty() ? "" : ": ", help));
+      .hints.push_back(fmt::format("`{} = ...` takes {}{}{}", name,
+                                   type.type == nullptr ? "a value" : flow::value_of(*type.type, type.unit),
+                                   help.empty() ? "" : ": ", help));
 }
 
 }  // namespace mlab::cdl

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/port_types.h"
+#include "mlab/flow/type_words.h"
 #include "mlab/lang/cdl/syntax/signs.h"
 #include "mlab/lang/cdl/types/units.h"
 
@@ -65,8 +66,8 @@ std::optional<ArithmeticLowering::Operand> ArithmeticLowering::operand(const Exp
   if (value.kind == Value::Kind::kWord && (value.text == "true" || value.text == "false")) {
     findings_
         .error("wrong-type", expression.place,
-               fmt::format("`{}` is of numbers; `{}` is a bool", of, value.text))
-        .hints = {"a bool is a condition by itself: `on`, and `not on` where it is to be false"};
+               fmt::format("`{}` is of numbers; `{}` is a truth value", of, value.text))
+        .hints = {"a truth value is a condition by itself: `on`, and `not on` where it is to be false"};
     return std::nullopt;
   }
   binder_.bind(value, {&flow::type_info<double>(), ""}, nullptr, std::string(of),
@@ -100,7 +101,7 @@ void ArithmeticLowering::refuse(const Computation& how, const std::vector<Operan
     if (type.type == nullptr) return std::string("this can't be told");
     const bool is_number = type.type->kind == flow::TypeKind::kReal;
     return is_number ? fmt::format("this is {}", unit_in_words(type.unit))
-                     : fmt::format("this is of type {}{}", type.name(), bracketed(type.unit));
+                     : "this is " + flow::value_of(*type.type, type.unit);
   };
   if (is_of_two) {
     d.label = described(operands[1].type);
@@ -124,7 +125,7 @@ Value ArithmeticLowering::fold(const Computation& how, const std::vector<Operand
     if (how.behavior == "DivideNumbers" && numbers[1] == 0.0)
       findings_.error("division-by-zero", operands[1].place, "this is 0, and nothing can be divided by it");
     else
-      findings_.error("number-out-of-range", place, "the result is no number that a double can hold");
+      findings_.error("number-out-of-range", place, "the result is larger than any number here can be");
     return out;
   }
   out.place = place;

@@ -17,19 +17,16 @@ namespace {
 
 using flow::TypeKind;
 
-std::string with_article(std::string_view name) {
-  const bool is_vowel = std::string_view("AEIOaeio").find(name.front()) != std::string_view::npos;
-  return fmt::format("{} {}", is_vowel ? "an" : "a", name);
-}
-
 std::string described(const PortType& type) {
-  return fmt::format("{}{}", type.name(), bracketed(type.unit));
+  return flow::value_of(*type.type, type.unit);
 }
 
 // Of a value that is written down; vectors and points are no single words here.
 std::string expected(const PortType& type) {
-  const bool is_list = type.type->kind == TypeKind::kVector || type.type->kind == TypeKind::kPoint;
-  return is_list ? described(type) : flow::expected_of(*type.type) + bracketed(type.unit);
+  const TypeKind kind = type.type->kind;
+  const bool is_list = kind == TypeKind::kVector || kind == TypeKind::kPoint;
+  return is_list || kind == TypeKind::kReal ? described(type)
+                                            : flow::expected_of(*type.type) + bracketed(type.unit);
 }
 
 bool parses(const flow::TypeInfo& type, const std::string& text) {
@@ -90,9 +87,10 @@ bool Binder::fits(const PortType& have, const PortType& want, const std::string&
                   const text::Place& place, const Value* about) {
   const Misfit misfit = cdl::misfit(have, want);
   if (misfit == Misfit::kType) {
-    text::Diagnostic& d = findings_.error_about(
-        about == nullptr ? "" : about->named, "wrong-type", place,
-        fmt::format("{} stands where {} is expected", with_article(have.name()), with_article(want.name())));
+    text::Diagnostic& d =
+        findings_.error_about(about == nullptr ? "" : about->named, "wrong-type", place,
+                              fmt::format("{} stands where {} is expected", flow::value_of(*have.type),
+                                          flow::value_of(*want.type)));
     d.label = fmt::format("`{}` takes {}", name, described(want));
     const bool is_elsewhere = about != nullptr && !about->named.empty() && about->declared.source;
     if (is_elsewhere) d.notes.push_back({fmt::format("`{}` comes from here", about->named), about->declared});
@@ -101,7 +99,7 @@ bool Binder::fits(const PortType& have, const PortType& want, const std::string&
   if (misfit == Misfit::kNone) return true;
   findings_
       .error("wrong-unit", place,
-             fmt::format("a value in {} stands where {} is expected", have.unit, want.unit))
+             fmt::format("{} stands where {} is expected", described(have), described(want)))
       .label = fmt::format("`{}` takes {}", name, described(want));
   return false;
 }
@@ -173,7 +171,7 @@ std::optional<flow::Source> Binder::bind_number(const Value& value, const PortTy
           .error("wrong-unit", place,
                  type.unit.empty()
                      ? fmt::format("`{}` stands where a plain number is expected", quoted_number(value))
-                     : fmt::format("`{}` stands where {} is expected", quoted_number(value), type.unit))
+                     : fmt::format("`{}` stands where {} is expected", quoted_number(value), described(type)))
           .label = fmt::format("`{}` takes {}", name, described(type));
       return std::nullopt;
     }
@@ -243,7 +241,7 @@ std::optional<flow::Source> Binder::bind_coordinates(const Value& value, const P
       .error("wrong-type", place,
              fmt::format("a list stands where {} is expected", is_number(kind) || kind == TypeKind::kBool
                                                                    ? flow::expected_of(*type.type)
-                                                                   : with_article(type.type->name)))
+                                                                   : flow::value_of(*type.type)))
       .label = fmt::format("`{}` takes {}", name, expected(type));
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 
 #include "mlab/base/overloaded.h"
 #include "mlab/flow/port_types.h"
+#include "mlab/flow/type_words.h"
 #include "mlab/lang/cdl/lower/naming.h"
 #include "mlab/lang/cdl/types/units.h"
 
@@ -215,9 +216,9 @@ Value ExpressionLowering::active(const Expression& expression, Scope& scope, con
   }
   if (part.type.type->kind != flow::TypeKind::kBool && part.type.type->kind != flow::TypeKind::kInteger) {
     findings_
-        .error(
-            "wrong-type", expression.active->place,
-            fmt::format("an active part gives a bool or a Vector; this is of type {}", part.type.type->name))
+        .error("wrong-type", expression.active->place,
+               fmt::format("an active part gives a truth value or a Vector; this is {}",
+                           flow::value_of(*part.type.type)))
         .hints = {"`LookAt(...)` and `LookAround(...)` turn a camera"};
     return {};
   }

@@ -246,8 +246,9 @@ Value OperatorLowering::select(const Select& what, Scope& scope, const std::stri
     binder_.bind(by, types_.named("int"), nullptr, "select", what.by->place);
   } else if (by.kind != Value::Kind::kNone && !can_select) {
     findings_
-        .error("wrong-type", what.by->place, "a selector is the value of a call: an int, a bool or a choice")
-        .label = is_known ? fmt::format("this is {}", by.type.type->name) : "this is a constant";
+        .error("wrong-type", what.by->place,
+               "a selector is the value of a call: a whole number, a truth value or a choice")
+        .label = is_known ? "this is " + flow::value_of(*by.type.type) : "this is a constant";
   }
   node.selector = named(by.text, what.by->place);
   std::vector<Value> members;

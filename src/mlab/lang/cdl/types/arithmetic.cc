@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/port_types.h"
+#include "mlab/flow/type_words.h"
 #include "mlab/lang/cdl/syntax/signs.h"
 #include "mlab/lang/cdl/types/units.h"
 
@@ -53,9 +54,7 @@ PortType truth() {
 }
 
 std::string with_article(const PortType& type) {
-  const std::string name = type.name();
-  const bool is_vowel = !name.empty() && std::string_view("AEIOaeio").find(name.front()) != std::string::npos;
-  return fmt::format("{} {}", is_vowel ? "an" : "a", name);
+  return type.type == nullptr ? type.name() : flow::value_of(*type.type);
 }
 
 Computation refused(std::string message, std::string hint = {}) {
@@ -194,7 +193,7 @@ Computation comparison(Operation operation, const Operands& operands) {
     const auto is_truth = [](const PortType& type) { return type.type->kind == flow::TypeKind::kBool; };
     const bool is_of_truths = is_truth(operands.type(0)) || is_truth(operands.type(1));
     if (!out.is_about_units && out.hint.empty())
-      out.hint = is_of_truths ? "numbers are compared; a bool is a condition by itself: `on`, `not on`"
+      out.hint = is_of_truths ? "numbers are compared; a truth value is a condition by itself: `on`, `not on`"
                               : "numbers are compared";
     return out;
   }

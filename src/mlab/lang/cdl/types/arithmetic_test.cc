@@ -309,8 +309,8 @@ TEST(Computation, RefusesWhatDoesNotAgree) {
   EXPECT_EQ(result(Operation::kSubtract, kPoint, kPoint), "a Point and a Point can't be subtracted");
   EXPECT_EQ(result(Operation::kMultiply, vector("m"), vector("m")),
             "a Vector and a Vector can't be multiplied");
-  EXPECT_EQ(result(Operation::kDivide, number("m"), vector("m")), "a double and a Vector can't be divided");
-  EXPECT_EQ(result(Operation::kLess, vector("m"), number("m")), "a Vector and a double can't be compared");
+  EXPECT_EQ(result(Operation::kDivide, number("m"), vector("m")), "a number and a Vector can't be divided");
+  EXPECT_EQ(result(Operation::kLess, vector("m"), number("m")), "a Vector and a number can't be compared");
 }
 
 TEST(Computation, FoldsWhatIsNoNumberAsTheLibraryDoes) {
