@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -84,6 +85,35 @@ TEST_F(Trapped, DoorsThatBarelyLetThemPass) {
             "1. UNIT t MOVETO 250 40 Wedge\n2. UNIT t MOVETO 15 40 Line\n");
   EXPECT_TRUE(is_done()) << told_;
   EXPECT_EQ(contacts_, 0U);
+}
+
+TEST_F(Trapped, UnitsThatMeetInACorridorForTwoPass) {
+  for (const char* formation : {"Column", "Wedge", "Line"}) {
+    contacts_ = 0;
+    carry_out(
+        kPlain + "WALL low 80 0 80 149.25 220 149.25 220 0\nWALL high 80 300 80 150.75 220 150.75 220 300\n",
+        fmt::format("UNIT <a> r r r r\nUNIT <b> r r r r\nCOMMAND LIST:\n"
+                    "0. UNIT a START 40 140 0 5 AND UNIT b START 260 140 0 5\n"
+                    "1. UNIT a MOVETO 260 150 {0} AND UNIT b MOVETO 40 150 {0}\n",
+                    formation));
+    EXPECT_TRUE(is_done()) << formation << "\n" << told_;
+    EXPECT_EQ(contacts_, 0U) << formation;
+    EXPECT_LT(run_->time(), 120.0) << formation;
+  }
+}
+
+TEST_F(Trapped, UnitsThatMeetAtADoorForOneTakeTurns) {
+  for (const char* formation : {"Column", "Wedge", "Line"}) {
+    contacts_ = 0;
+    carry_out(kPlain + "WALL low 150 0 150 149.65\nWALL high 150 150.35 150 300\n",
+              fmt::format("UNIT <a> r r r\nUNIT <b> r r r\nCOMMAND LIST:\n"
+                          "0. UNIT a START 60 140 0 5 AND UNIT b START 240 140 0 5\n"
+                          "1. UNIT a MOVETO 240 150 {0} AND UNIT b MOVETO 60 150 {0}\n"
+                          "2. UNIT a MOVETO 60 150 {0} AND UNIT b MOVETO 240 150 {0}\n",
+                          formation));
+    EXPECT_TRUE(is_done()) << formation << "\n" << told_;
+    EXPECT_EQ(contacts_, 0U) << formation;
+  }
 }
 
 TEST_F(Trapped, WhatSwaysIsGoneRound) {
