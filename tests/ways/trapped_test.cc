@@ -116,6 +116,29 @@ TEST_F(Trapped, UnitsThatMeetAtADoorForOneTakeTurns) {
   }
 }
 
+TEST_F(Trapped, NobodyWaitsForEverForWhoCanNotCome) {
+  // One of them is closed in, and the others are told to keep together.
+  carry_out(kPlain + "WALL room 20 200 60 200 60 240 20 240 20 200\n",
+            "SET COHESION 2\nUNIT <t> r r r\nCOMMAND LIST:\n"
+            "0. ROBOT 1 START 30 100 AND ROBOT 2 START 30 110 AND ROBOT 3 START 40 220\n"
+            "1. UNIT t MOVETO 270 150 Column\n");
+  EXPECT_FALSE(is_done());
+  for (const std::uint32_t id : {1U, 2U})
+    EXPECT_LT(distance(run_->fleet().pose(*run_->fleet().find({id})).position, {270, 150}), 15.0)
+        << id << told_;
+}
+
+TEST_F(Trapped, AGapThatIsTooNarrowIsNamed) {
+  carry_out(kPlain + "WALL low 150 0 150 149.8\nWALL high 150 150.2 150 300\n",
+            "UNIT <t> r r\nCOMMAND LIST:\n0. UNIT t START 50 148 0 4\n1. UNIT t MOVETO 250 150 Column\n");
+  EXPECT_FALSE(is_done());
+  EXPECT_NE(told_.find("a gap of 0.4 m at (150.0, 150.0), which is too narrow, is in front of it"),
+            std::string::npos)
+      << told_;
+  // The robots' own ways lead nowhere then either, which says nothing new.
+  EXPECT_EQ(told_.find("no way to (250, 150)"), told_.rfind("no way to (")) << told_;
+}
+
 TEST_F(Trapped, WhatSwaysIsGoneRound) {
   for (const char* sway : {"51 SPEED 0.5", "56 SPEED 0.3"}) {
     contacts_ = 0;
