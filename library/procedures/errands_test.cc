@@ -284,6 +284,7 @@ TEST(TellOfErrand, NamesAPlaceOnce) {
   way.count = 2;
   way.end = ways::WayEnd::kClosedOff;
   flow::BehaviorProbe p = unit.probe_of("TellOfErrand");
+  p.percepts.unit.rank = 0;
   const auto told = [&](geom::Point goal) {
     p.action = {};
     p.set("way", way).set("goal", goal).step();
@@ -296,6 +297,49 @@ TEST(TellOfErrand, NamesAPlaceOnce) {
   EXPECT_EQ(told({10, 0}), "") << "where it is, as long as there is nothing for it";
   way.end = ways::WayEnd::kBesideGoal;
   EXPECT_NE(told({70, 30}).find("something stands"), std::string::npos);
+}
+
+TEST(TellOfErrand, OfTheLeaderLooksAtAllPlaces) {
+  const std::vector<geom::Segment> room{
+      {{40, 40}, {60, 40}}, {{60, 40}, {60, 60}}, {{60, 60}, {40, 60}}, {{40, 60}, {40, 40}}};
+  for (const Task task : {Task::kVisit, Task::kPatrol}) {
+    const Unit unit{.route = {{20, 30}, {50, 50}, {70, 30}}, .task = task};
+    flow::BehaviorProbe p = unit.probe_of("TellOfErrand");
+    p.percepts.ground = {.revision = 7, .discs = {}, .walls = room, .bounds = {0, -100, 100, 100}};
+    ways::PlannedWay way;
+    way.corners = {geom::Point{10, 0}, {20, 30}};
+    way.count = 2;
+    way.end = ways::WayEnd::kGoal;
+    p.set("way", way).set("goal", geom::Point{20, 30});
+    for (const std::uint32_t rank : {1U, 0U}) {
+      p.percepts.unit.rank = rank;
+      std::string told;
+      for (int cycle = 0; cycle < 5; ++cycle) {
+        p.action = {};
+        p.step();
+        told += p.action.alert.data();
+      }
+      EXPECT_EQ(told.find("no way to (50, 50) is known") != std::string::npos, rank == 0) << told;
+    }
+  }
+}
+
+TEST(TellOfErrand, OfOthersNamesWhatWasNotKnownAtTheBeginning) {
+  const Unit unit{.route = {{50, 60}, {20, 30}}};
+  ways::PlannedWay way;
+  way.corners = {geom::Point{10, 0}, {13, 4}};
+  way.count = 2;
+  way.end = ways::WayEnd::kClosedOff;
+  flow::BehaviorProbe p = unit.probe_of("TellOfErrand");
+  const auto told = [&](std::uint64_t revision) {
+    p.action = {};
+    p.percepts.ground.revision = revision;
+    p.set("way", way).set("goal", geom::Point{50, 60}).step();
+    return std::string(p.action.alert.data());
+  };
+  EXPECT_EQ(told(7), "");
+  EXPECT_NE(told(8).find("(50, 60)"), std::string::npos);
+  EXPECT_EQ(told(9), "");
 }
 
 TEST(WayLeft, IsFarWhereNoWayLeadsOn) {

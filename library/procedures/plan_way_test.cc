@@ -217,6 +217,24 @@ TEST_F(Way, PaceBringsARobotToItsStation) {
   EXPECT_DOUBLE_EQ(pace(500.0, 0.0, 0.0), 1.5);
 }
 
+TEST_F(Way, WhoIsAheadDoesNotWaitForEver) {
+  flow::BehaviorProbe p = probe("PaceOnWay");
+  p.set("cohesion", 2.0).set("patience", 20.0).set("progress", 110.0).set("station", Vector{});
+  const auto pace_at = [&](double time, double unit) {
+    p.percepts.time = time;
+    p.set("unit_progress", unit);
+    p.step();
+    return p.output<double>();
+  };
+  EXPECT_EQ(pace_at(0.0, 100.0), 0.0);
+  EXPECT_EQ(pace_at(19.0, 101.0), 0.0);
+  EXPECT_EQ(pace_at(21.0, 101.0), 0.7) << "the unit has come no farther";
+  EXPECT_EQ(pace_at(22.0, 105.0), 0.75) << "not before it is beside its station";
+  EXPECT_GE(pace_at(23.0, 110.0), 1.0);
+  EXPECT_EQ(pace_at(24.0, 105.0), 0.0);
+  EXPECT_EQ(pace_at(50.0, 108.0), 0.0) << "it comes on";
+}
+
 TEST_F(Way, AlongARouteGoesBesideCornersThatSomethingStandsAt) {
   flow::BehaviorProbe p = probe("PlanWay");
   const std::vector<Point> route = {{0.0, 50.0}, {50.0, 50.0}, {100.0, 50.0}, {100.0, 110.0}};

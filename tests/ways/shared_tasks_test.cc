@@ -273,6 +273,18 @@ TEST_F(SharedTasks, APlaceThatNoWayLeadsToIsNamedAndTheOthersAreVisited) {
   EXPECT_NE(told_.find("no way to (300, 200) is known"), std::string::npos) << told_;
 }
 
+TEST_F(SharedTasks, PlacesThatNoWayLeadsToAreNamedAtOnceAndOnce) {
+  const std::string room = "WALL room 400 300 440 300 440 340 400 340 400 300\n";
+  for (const char* command : {"VISIT", "PATROL"}) {
+    told_.clear();
+    make(3, "", fmt::format("{} 100 100 300 100 420 320 500 60 UNTIL TIMEOUT 300", command), room);
+    go(5);
+    EXPECT_NE(told_.find("no way to (420, 320) is known"), std::string::npos) << told_;
+    go(600);
+    EXPECT_EQ(told_.find("no way to (420, 320)"), told_.rfind("no way to (420, 320)")) << told_;
+  }
+}
+
 TEST_F(SharedTasks, UntilEndsAVisit) {
   make(2, "", "VISIT 100 100 500 300 550 20 UNTIL TIMEOUT 30");
   go(600);

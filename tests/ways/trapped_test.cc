@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -84,6 +85,58 @@ TEST_F(Trapped, DoorsThatBarelyLetThemPass) {
             "1. UNIT t MOVETO 250 40 Wedge\n2. UNIT t MOVETO 15 40 Line\n");
   EXPECT_TRUE(is_done()) << told_;
   EXPECT_EQ(contacts_, 0U);
+}
+
+TEST_F(Trapped, UnitsThatMeetInACorridorForTwoPass) {
+  for (const char* formation : {"Column", "Wedge", "Line"}) {
+    contacts_ = 0;
+    carry_out(
+        kPlain + "WALL low 80 0 80 149.25 220 149.25 220 0\nWALL high 80 300 80 150.75 220 150.75 220 300\n",
+        fmt::format("UNIT <a> r r r r\nUNIT <b> r r r r\nCOMMAND LIST:\n"
+                    "0. UNIT a START 40 140 0 5 AND UNIT b START 260 140 0 5\n"
+                    "1. UNIT a MOVETO 260 150 {0} AND UNIT b MOVETO 40 150 {0}\n",
+                    formation));
+    EXPECT_TRUE(is_done()) << formation << "\n" << told_;
+    EXPECT_EQ(contacts_, 0U) << formation;
+    EXPECT_LT(run_->time(), 120.0) << formation;
+  }
+}
+
+TEST_F(Trapped, UnitsThatMeetAtADoorForOneTakeTurns) {
+  for (const char* formation : {"Column", "Wedge", "Line"}) {
+    contacts_ = 0;
+    carry_out(kPlain + "WALL low 150 0 150 149.65\nWALL high 150 150.35 150 300\n",
+              fmt::format("UNIT <a> r r r\nUNIT <b> r r r\nCOMMAND LIST:\n"
+                          "0. UNIT a START 60 140 0 5 AND UNIT b START 240 140 0 5\n"
+                          "1. UNIT a MOVETO 240 150 {0} AND UNIT b MOVETO 60 150 {0}\n"
+                          "2. UNIT a MOVETO 60 150 {0} AND UNIT b MOVETO 240 150 {0}\n",
+                          formation));
+    EXPECT_TRUE(is_done()) << formation << "\n" << told_;
+    EXPECT_EQ(contacts_, 0U) << formation;
+  }
+}
+
+TEST_F(Trapped, NobodyWaitsForEverForWhoCanNotCome) {
+  // One of them is closed in, and the others are told to keep together.
+  carry_out(kPlain + "WALL room 20 200 60 200 60 240 20 240 20 200\n",
+            "SET COHESION 2\nUNIT <t> r r r\nCOMMAND LIST:\n"
+            "0. ROBOT 1 START 30 100 AND ROBOT 2 START 30 110 AND ROBOT 3 START 40 220\n"
+            "1. UNIT t MOVETO 270 150 Column\n");
+  EXPECT_FALSE(is_done());
+  for (const std::uint32_t id : {1U, 2U})
+    EXPECT_LT(distance(run_->fleet().pose(*run_->fleet().find({id})).position, {270, 150}), 15.0)
+        << id << told_;
+}
+
+TEST_F(Trapped, AGapThatIsTooNarrowIsNamed) {
+  carry_out(kPlain + "WALL low 150 0 150 149.8\nWALL high 150 150.2 150 300\n",
+            "UNIT <t> r r\nCOMMAND LIST:\n0. UNIT t START 50 148 0 4\n1. UNIT t MOVETO 250 150 Column\n");
+  EXPECT_FALSE(is_done());
+  EXPECT_NE(told_.find("a gap of 0.4 m at (150.0, 150.0), which is too narrow, is in front of it"),
+            std::string::npos)
+      << told_;
+  // The robots' own ways lead nowhere then either, which says nothing new.
+  EXPECT_EQ(told_.find("no way to (250, 150)"), told_.rfind("no way to (")) << told_;
 }
 
 TEST_F(Trapped, WhatSwaysIsGoneRound) {

@@ -204,8 +204,9 @@ TEST(Rally, EndsAtATimeWhoeverIsThere) {
 }
 
 /// A RALLY whose robots stop 12 m before the place and say that they are there.
-std::unique_ptr<ToyFleet> rally_beside(bool is_taken) {
+std::unique_ptr<ToyFleet> rally_beside(bool is_taken, double width = 1000.0) {
   MissionMaker m;
+  m.mission().overlay.area = overlay::Area{width, 1000.0};
   const auto unit = m.unit("u", 2);
   if (is_taken) m.mission().overlay.obstacles.push_back({{100, 0}, 9.0, 0.0, {}});
   m.step({start(unit)}).step({rally(unit, {100, 0}, 3.0)});
@@ -224,6 +225,14 @@ TEST(Rally, IsDoneBesideWhatStandsAtThePlace) {
   ASSERT_TRUE(fleet->run(20.0));
   EXPECT_EQ(fleet->state().outcome, Outcome::kDone) << fleet->transcript();
   EXPECT_TRUE(fleet->has_told("unit u RALLY Camp: something stands at the place")) << fleet->transcript();
+}
+
+TEST(Rally, IsDoneBesideAPlaceOutsideOfTheArea) {
+  const auto fleet = rally_beside(false, 90.0);
+  ASSERT_TRUE(fleet->run(20.0));
+  EXPECT_EQ(fleet->state().outcome, Outcome::kDone) << fleet->transcript();
+  EXPECT_TRUE(fleet->has_told("unit u RALLY Camp: the mission area ends before the place"))
+      << fleet->transcript();
 }
 
 TEST(Rally, WaitsBesideAPlaceWhereNothingStands) {

@@ -34,6 +34,7 @@
 #include "mlab/schema/indoor.h"
 #include "mlab/schema/local_map.h"
 #include "mlab/schema/messages.h"
+#include "mlab/schema/narrow.h"
 #include "mlab/schema/objects.h"
 #include "mlab/schema/ranges.h"
 #include "mlab/schema/reciprocal.h"

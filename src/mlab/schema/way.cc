@@ -13,11 +13,8 @@
 #include <mutex>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/core.h>
 
 #include "mlab/schema/route.h"
 #include "mlab/ways/clearances.h"
@@ -298,49 +295,6 @@ bool is_open(const percept::KnownGround& ground, const PlannedWay& way) {
     }
   }
   return true;
-}
-
-std::string what_blocks(const percept::KnownGround& ground, geom::Point from, geom::Point goal) {
-  const geom::Offset along = goal - from;
-  const double length2 = std::max(dot(along, along), 1e-12);
-  double first = 2.0;  // share of the line
-  std::string out = "the ground";
-  for (const ways::Round& disc : ground.discs) {
-    const double at = std::clamp(dot(disc.center - from, along) / length2, 0.0, 1.0);
-    if (distance(from + along * at, disc.center) > disc.radius || at >= first) continue;
-    first = at;
-    out = fmt::format("an obstacle of radius {:.1f} m at ({:.1f}, {:.1f})", disc.radius, disc.center.x,
-                      disc.center.y);
-  }
-  for (const geom::Segment& wall : ground.walls) {
-    const geom::Offset side = wall.b - wall.a;
-    const double slope = cross(along, side);
-    if (!intersects({from, goal}, wall) || slope == 0.0) continue;
-    const double at = cross(wall.a - from, side) / slope;
-    if (at >= first) continue;
-    first = at;
-    const geom::Point there = from + along * at;
-    out = fmt::format("a wall at ({:.1f}, {:.1f})", there.x, there.y);
-  }
-  return first > 1.0 && !ground.bounds.contains(goal) ? "the edge of the mission area" : out;
-}
-
-std::string no_way_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal) {
-  return fmt::format("no way to ({:.0f}, {:.0f}) is known: {} is in front of it, {:.0f} m away", goal.x,
-                     goal.y, what_blocks(ground, last, goal), distance(last, goal));
-}
-
-std::string beside_goal_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal) {
-  const bool is_outside = ground.revision != 0 && !ground.bounds.contains(goal);
-  return fmt::format("{} ({:.0f}, {:.0f}); ({:.1f}, {:.1f}) is the nearest place to it",
-                     is_outside ? "the mission area ends before" : "something stands at", goal.x, goal.y,
-                     last.x, last.y);
-}
-
-std::string trap_text(geom::Point here, bool stands, double seconds) {
-  return fmt::format(
-      "{} near ({:.0f}, {:.0f}), no nearer to the goal for {:g} s; robots that plan their ways get out",
-      stands ? "stands" : "goes round", here.x, here.y, seconds);
 }
 
 PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& way, geom::Vector station,

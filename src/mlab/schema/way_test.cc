@@ -127,6 +127,16 @@ TEST(WhatBlocks, IsTheFirstThingOnTheLine) {
   EXPECT_EQ(what_blocks(known.ground(), {150.0, 50.0}, {250.0, 50.0}), "the edge of the mission area");
 }
 
+TEST(WhatBlocks, IsTheGapWhereTheLineLeadsThroughOne) {
+  Known known = with_disc();
+  known.walls = {{{100.0, 0.0}, {100.0, 149.75}}, {{100.0, 150.25}, {100.0, 200.0}}};
+  known.revision = next_revision();
+  EXPECT_EQ(what_blocks(known.ground(), {80.0, 150.0}, {150.0, 150.0}),
+            "a gap of 0.5 m at (100.0, 150.0), which is too narrow,");
+  known.walls.clear();
+  EXPECT_EQ(what_blocks(known.ground(), {80.0, 150.0}, {150.0, 150.0}), "what stands around it");
+}
+
 TEST(PlaceOnWay, IsWhereTheRobotIsWithoutAWay) {
   const Known known = with_disc();
   const auto none = [] { return 0.0; };

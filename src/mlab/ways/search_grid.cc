@@ -329,18 +329,29 @@ void SearchGrid::each_seen(LanePlace a, LanePlace b, double reach, Visit&& visit
   });
 }
 
-void SearchGrid::see(geom::Segment piece, int by) {
+void SearchGrid::count(std::size_t first, std::size_t last, int by) {
   int less = 0;
-  each_seen(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), reach_,
-            [&](std::size_t first, std::size_t last) {
-              for (std::size_t cell = first; cell <= last; ++cell) {
-                const std::uint16_t before = seen_[cell];
-                const auto after = static_cast<std::uint16_t>(before + by);
-                seen_[cell] = after;
-                less += can_be_seen_[cell] * (static_cast<int>(before == 0) - static_cast<int>(after == 0));
-              }
-            });
+  for (std::size_t cell = first; cell <= last; ++cell) {
+    const std::uint16_t before = seen_[cell];
+    const auto after = static_cast<std::uint16_t>(before + by);
+    seen_[cell] = after;
+    less += can_be_seen_[cell] * (static_cast<int>(before == 0) - static_cast<int>(after == 0));
+  }
   unseen_ -= static_cast<std::size_t>(less);
+}
+
+void SearchGrid::see(geom::Segment piece, int by) {
+  each_seen(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), reach_,
+            [&](std::size_t first, std::size_t last) { count(first, last, by); });
+}
+
+void SearchGrid::see(std::span<const Run> runs, int by) {
+  for (const auto& [first, last] : runs) count(first, last, by);
+}
+
+void SearchGrid::add_seen(geom::Segment piece, std::vector<Run>& out) const {
+  each_seen(lanes_.to_lanes(piece.a), lanes_.to_lanes(piece.b), reach_,
+            [&](std::size_t first, std::size_t last) { out.emplace_back(first, last); });
 }
 
 }  // namespace mlab::ways

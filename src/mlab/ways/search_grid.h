@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mlab/ways/bending_planner.h"
@@ -69,13 +70,19 @@ class SearchGrid {
 
   /// Whether no wall hides anything.
   bool sees_all_round() const { return sight_.is_open(); }
-  /// Counts what is seen from a straight piece once more, or, with -1, once less.
+  /// Cells side by side in a row: the first and the last of them.
+  using Run = std::pair<std::size_t, std::size_t>;
+  /// Adds the cells that are seen from a straight piece.
+  void add_seen(geom::Segment piece, std::vector<Run>& out) const;
+  /// Counts what is seen once more, or, with -1, once less: from a straight piece, and cells.
   void see(geom::Segment piece, int by);
+  void see(std::span<const Run> runs, int by);
 
  private:
   static constexpr std::int32_t kMain = 1;
 
   static int cell_of(double at, int count);
+  void count(std::size_t first, std::size_t last, int by);
   /// A cell for robots that a place is in or beside, with nothing in between.
   template <class IsFor>
   std::optional<std::size_t> cell_beside(geom::Point at, const Clearing& clearing, IsFor&& is_for) const;

@@ -53,7 +53,15 @@ std::optional<SearchRoute::Leg> SearchRoute::leg(geom::Point a, geom::Point b) {
 }
 
 void SearchRoute::see(const Leg& leg, int by) {
-  for (std::size_t i = 1; i < leg.corners.size(); ++i) grid_.see({leg.corners[i - 1], leg.corners[i]}, by);
+  if (grid_.sees_all_round()) {
+    for (std::size_t i = 1; i < leg.corners.size(); ++i) grid_.see({leg.corners[i - 1], leg.corners[i]}, by);
+    return;
+  }
+  if (leg.seen.empty()) {
+    for (std::size_t i = 1; i < leg.corners.size(); ++i)
+      grid_.add_seen({leg.corners[i - 1], leg.corners[i]}, leg.seen);
+  }
+  grid_.see(leg.seen, by);
 }
 
 /// What a way sees that has one stop and no leg.

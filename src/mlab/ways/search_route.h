@@ -46,6 +46,8 @@ class SearchRoute {
   struct Leg {
     std::vector<geom::Point> corners;
     double length = 0.0;
+    /// What is seen from it, once that was asked for; only where walls hide something, since that takes long.
+    mutable std::vector<SearchGrid::Run> seen = {};
   };
   struct Stop {
     geom::Point at;

@@ -28,6 +28,8 @@ class FormationCheck {
 
   /// Warns where the unit of the command, on its way along `leg`, doesn't fit.
   void check_leg(const mission::UnitCommand& command, geom::Segment leg);
+  /// Whether robots of a type find their way by themselves.
+  bool plans_ways(const mission::RobotType& type) const;
 
  private:
   const std::vector<geom::Offset>& stations(percept::Formation formation, int count);
@@ -35,8 +37,6 @@ class FormationCheck {
   Extent extent(const mission::UnitCommand& command, double heading);
   void check_gap(const mission::UnitCommand& command, geom::Segment leg, double heading,
                  const overlay::ControlMeasure& gap);
-  /// Whether the unit's first robot finds its way by itself.
-  bool plans_ways(const mission::RobotType& type) const;
   void check_room(const mission::UnitCommand& command);
   void check_meeting(const mission::UnitCommand& command);
 

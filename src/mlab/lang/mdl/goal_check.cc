@@ -38,12 +38,41 @@ void GoalCheck::check(const mission::UnitCommand& c, double radius) {
         fmt::format("{} in an obstacle of radius {:g} m: no robot can stand there", where, obstacle->radius));
     if (obstacle->place.source) warning.notes.push_back({"the obstacle is here", obstacle->place});
   }
+  if (const overlay::ControlMeasure* minefield = minefield_at(c.goal)) {
+    auto& warning = diagnostics_.warning(
+        "goal-in-minefield", c.goal_place,
+        fmt::format("{} in a minefield: robots keep out of it, and come no nearer than its edge", where));
+    if (minefield->place.source) warning.notes.push_back({"the minefield is here", minefield->place});
+  }
   if (const overlay::ControlMeasure* wall = wall_at(c.goal, radius)) {
     auto& warning = diagnostics_.warning(
         "goal-in-wall", c.goal_place,
         fmt::format("{} less than {:g} m from a wall: no robot can stand there", where, radius));
     if (wall->place.source) warning.notes.push_back({"the wall is here", wall->place});
   }
+}
+
+/// The area that robots keep out of in which a place lies.
+const overlay::ControlMeasure* GoalCheck::minefield_at(geom::Point p) {
+  for (const overlay::ControlMeasure& measure : mission_.overlay.measures) {
+    visits_ += 1 + measure.points.size();
+    if (visits_ > kMaxThingVisits) return nullptr;
+    if (overlay::info(measure.kind).substance != overlay::Substance::kAvoided || measure.points.empty())
+      continue;
+    if (measure.points.size() == 1) {
+      if (geom::distance(p, measure.points.front()) < 0.5 * measure.size) return &measure;
+      continue;
+    }
+    bool is_inside = false;  // by the crossings of a line to the east
+    for (std::size_t i = 0; i < measure.points.size(); ++i) {
+      const geom::Point a = measure.points[i];
+      const geom::Point b = measure.points[(i + 1) % measure.points.size()];
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)))
+        is_inside = !is_inside;
+    }
+    if (is_inside) return &measure;
+  }
+  return nullptr;
 }
 
 bool GoalCheck::is_outside(geom::Point p) const {

@@ -22,6 +22,7 @@ class GoalCheck {
   const overlay::ObstacleDisc* obstacle_at(geom::Point p, double radius);
 
  private:
+  const overlay::ControlMeasure* minefield_at(geom::Point p);
   const overlay::ControlMeasure* wall_at(geom::Point p, double radius);
 
   const mission::Mission& mission_;

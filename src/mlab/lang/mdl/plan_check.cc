@@ -21,6 +21,7 @@
 #include "mlab/mission/parameter.h"
 #include "mlab/mission/search.h"
 #include "mlab/mission/wording.h"
+#include "mlab/ways/clearances.h"
 
 namespace mlab::mdl {
 namespace {
@@ -198,8 +199,8 @@ class PlanCheck {
     } else if (c.task != Task::kTeleoperate) {
       const RobotState& first = state(robots_of(c).front());
       formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
-      const double radius = body_radius(robots_of(c).front());
-      if (first.has_place && !ways_.check(c, first.place, radius, success_radius(c)))
+      if (first.has_place &&
+          !ways_.check(c, first.place, largest_radius(c), least_margin(c), success_radius(c)))
         return;  // it stays there
     }
     for (const base::RobotId id : robots_of(c)) {
@@ -214,7 +215,7 @@ class PlanCheck {
     const base::RobotId first = robots_of(c).front();
     if (state(first).has_place) {
       one_by_one(c, [&](const UnitCommand& one) {
-        ways_.check(one, state(first).place, body_radius(first), success_radius(c));
+        ways_.check(one, state(first).place, body_radius(first), least_margin(c), success_radius(c));
       });
     }
     for (const base::RobotId id : robots_of(c)) state(id).has_place = false;
@@ -322,6 +323,25 @@ class PlanCheck {
     const std::uint32_t type = mission_.robots[index_of_.at(robots_of(c).front().value)].type;
     return mission::number_parameter(mission_.types[type], "navigation_success_radius",
                                      kDefaultSuccessRadius);
+  }
+
+  // Who needs most room: where he can't come to, the unit does not arrive.
+  double largest_radius(const UnitCommand& c) {
+    double out = 0.0;
+    for (const base::RobotId id : robots_of(c)) {
+      if (visits_++ < kMaxRobotVisits) out = std::max(out, body_radius(id));
+    }
+    return out;
+  }
+
+  // What robots that plan their ways keep from things where there is least room; others may touch them.
+  double least_margin(const UnitCommand& c) const {
+    const mission::RobotType& type =
+        mission_.types[mission_.robots[index_of_.at(robots_of(c).front().value)].type];
+    if (!formations_.plans_ways(type)) return 0.0;
+    const double margin =
+        mission::number_parameter(type, "avoid_obstacle_safety_margin", mission::kDefaultMargin);
+    return ways::Clearances(0.0, std::max(margin, 0.0)).least();
   }
 
   double body_radius(base::RobotId id) const {

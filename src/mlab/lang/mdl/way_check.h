@@ -24,17 +24,19 @@ class WayCheck {
 
   /// @param from     where it is [m, world]
   /// @param radius   of its bodies [m]
+  /// @param margin   that they keep from what stands there where there is least room [m]
   /// @param success  who is so near to the goal is there [m]
   /// @return  false: no way leads there
-  bool check(const mission::UnitCommand& command, geom::Point from, double radius, double success);
+  bool check(const mission::UnitCommand& command, geom::Point from, double radius, double margin,
+             double success);
 
  private:
   ways::Planner& planner(double clearance);
   bool has_effort_left() const;
   std::optional<ways::Planner::NoWay> no_way(ways::Planner& planner, geom::Point from, geom::Point goal,
                                              double success);
-  void warn(const mission::UnitCommand& command, geom::Point from, double radius, double success,
-            geom::Point nearest);
+  void warn(const mission::UnitCommand& command, geom::Point from, double radius, double margin,
+            double success, geom::Point nearest);
   void note_thing(std::uint32_t thing, text::Diagnostic& warning) const;
 
   const mission::Mission& mission_;

@@ -1,0 +1,127 @@
+#include "mlab/schema/narrow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mlab::schema {
+namespace {
+
+using geom::Offset;
+
+constexpr double kBackwards = 0.4;   // of the wanted speed
+constexpr double kAside = 0.5;       // likewise
+constexpr double kMoves = 0.1;       // [m/s]
+constexpr double kLooksBack = -0.3;  // cosine of the angle
+constexpr double kAhead = 15.0;      // so far ahead somebody counts who comes [m]
+constexpr double kWallGap = 0.05;    // [m]
+
+/// As seen along the way.
+struct Seen {
+  double ahead, right, speed;
+};
+
+Seen seen_along(const Neighbour& other, Offset along) {
+  const Offset right{along.y, -along.x};
+  return {dot(other.place, along), dot(other.place, right), dot(other.velocity, along)};
+}
+
+bool comes(const Neighbour& other, const Seen& seen, Offset along) {
+  if (std::abs(seen.speed) > kMoves) return seen.speed < 0.0;
+  return !other.is_mate && dot(other.looks, along) < kLooksBack;
+}
+
+}  // namespace
+
+bool SideRoom::is_narrow(double radius, double gap) const {
+  return left + right < narrow_reach(radius, gap);
+}
+
+SideRoom side_room(Offset along, std::span<const geom::Segment> walls, std::span<const RoundThing> rounds) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  SideRoom out{kNone, kNone};
+  const Offset left{-along.y, along.x};
+  const auto add = [&](double at) {
+    (at > 0.0 ? out.left : out.right) = std::min(at > 0.0 ? out.left : out.right, std::abs(at));
+  };
+  for (const geom::Segment& wall : walls) {
+    const Offset a = wall.a - geom::Point{};
+    const Offset b = wall.b - geom::Point{};
+    const double from = dot(a, along);
+    const double to = dot(b, along);
+    if ((from > 0.0) == (to > 0.0)) continue;
+    const double share = from / (from - to);
+    add(dot(a + (b - a) * share, left));
+  }
+  for (const RoundThing& one : rounds) {
+    const double ahead = dot(one.center, along);
+    if (std::abs(ahead) >= one.radius) continue;
+    const double aside = dot(one.center, left);
+    const double half = std::sqrt(one.radius * one.radius - ahead * ahead);
+    add(aside > 0.0 ? std::max(aside - half, 1e-9) : std::min(aside + half, -1e-9));
+  }
+  return out;
+}
+
+WayMade make_way(Offset wanted, double radius, double gap, const SideRoom& room,
+                 std::span<const Neighbour> others) {
+  constexpr double kLeastGap = 0.25;  // of the gap
+  constexpr double kOfRoom = 0.6;     // that is left when two pass
+  const double speed = length(wanted);
+  if (!(speed > 0.0)) return {wanted, gap};
+  const Offset along = wanted * (1.0 / speed);
+  bool is_met = false;
+  bool gives_way = false;
+  bool has_one_beside = false;
+  double between = gap;
+  for (const Neighbour& other : others) {
+    const Seen seen = seen_along(other, along);
+    const double bodies = radius + other.radius;
+    if (seen.ahead > 0.0 && seen.ahead < kAhead && comes(other, seen, along)) {
+      is_met = true;
+      const double left_over = room.left + room.right - 2.0 * bodies - 4.0 * kWallGap;
+      gives_way = gives_way || (left_over < kLeastGap * gap && (other.is_mate || other.goes_first));
+      between = std::clamp(kOfRoom * left_over, kLeastGap * gap, between);
+    } else if (seen.right > 0.5 * bodies && seen.right < room.right && seen.ahead > -0.25 * bodies &&
+               seen.ahead < bodies + gap) {
+      has_one_beside = true;
+    }
+  }
+  if (!is_met) return {wanted, gap};
+  if (gives_way || has_one_beside) return {along * (-kBackwards * speed), between};
+  const Offset right{along.y, -along.x};
+  const double aside = room.right - radius - 2.0 * kWallGap;
+  return {wanted + right * std::clamp(aside, -kAside * speed, kAside * speed), between};
+}
+
+void StandOff::look(geom::Point here, double time) {
+  constexpr double kRoom = 0.5;  // [m]
+  if (since_ <= time && distance(here, at_) <= kRoom) return;
+  at_ = here;
+  since_ = time;
+}
+
+Offset StandOff::step_back(Offset wanted, double time, double radius, double gap,
+                           std::span<const Neighbour> others) {
+  constexpr double kGoesBack = 4.0;     // [s]
+  constexpr double kFaceToFace = -0.5;  // cosine of the angle
+  const double speed = length(wanted);
+  if (!(speed > kMoves)) return wanted;
+  if (time >= until_ && time - since_ > kPatience) {
+    const Offset along = wanted * (1.0 / speed);
+    const auto stands_against = [&](const Neighbour& other) {
+      const Seen seen = seen_along(other, along);
+      return other.goes_first && seen.ahead > 0.0 &&
+             length(other.place) < radius + other.radius + 2.0 * gap &&
+             seen.ahead > 0.5 * length(other.place) && length(other.velocity) < 3.0 * kMoves &&
+             dot(other.looks, along) < kFaceToFace;
+    };
+    if (std::ranges::any_of(others, stands_against)) {
+      until_ = time + kGoesBack;
+      back_ = unit(along * -1.0 + Offset{along.y, -along.x});
+    }
+  }
+  return time < until_ ? back_ * (kBackwards * speed) : wanted;
+}
+
+}  // namespace mlab::schema
