@@ -53,6 +53,16 @@ endif()
 # optimised, so at none whose result nobody uses.
 set(MLAB_BUSY_MODULES base geom fleet binding simulated run robot library ways schema text mcap overlay flow mission odl envchange mdl cnl cdl cdl_historic sim assist mavlink ros2 vehicle model_vehicles)
 
+# What a control cycle is spent in. Functions that are called in the source where they stand may be put in place there, though
+# it is compiled for shared libraries, too: nobody exchanges functions of ours when a program starts. And nobody asks `errno`
+# what sqrt thinks of a number. Results stay the same to the last bit.
+set(MLAB_CYCLE_MODULES percept flow schema ways binding sim fleet robot library)
+function(mlab_tune_if_in_cycle name)
+  if(name IN_LIST MLAB_CYCLE_MODULES)
+    target_compile_options(mlab_${name} PRIVATE -fno-semantic-interposition -fno-math-errno)
+  endif()
+endfunction()
+
 # Everything that `./mlab test` builds for the sanitizers: all unit tests; the tests of code with threads; the fuzzers.
 add_custom_target(unit_tests)
 add_custom_target(threaded_tests)
@@ -88,6 +98,7 @@ function(mlab_module name)
     set(scope PUBLIC)
     target_link_libraries(mlab_${name} PRIVATE $<BUILD_INTERFACE:mlab_counted>)
     mlab_optimise_if_busy(${name})
+    mlab_tune_if_in_cycle(${name})
   else()
     add_library(mlab_${name} INTERFACE)
     set(scope INTERFACE)

@@ -140,7 +140,10 @@ std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, ge
 }
 
 std::expected<binding::Placement, std::string> Fleet::embody(FleetRobot& robot, geom::Pose pose) {
-  if (robot.life != RobotLife::kNotStarted) binding_.release(robot.body);  // started anew
+  if (robot.life != RobotLife::kNotStarted) {  // started anew
+    binding_.release(robot.body);
+    actions_[robot.body.value] = {};
+  }
   const auto placement = binding_.embody(
       {robot.body_spec, pose, robot.id, unit_of_team(robot), robot.seen_as, robot.program->vehicle()});
   if (!placement) return std::unexpected(fmt::format("can't start: {}", placement.error()));
@@ -320,8 +323,8 @@ void Fleet::step(double dt) {
   for (Group& group : now_.groups) update_group(group, now_.poses);
   look_after_bodies();
   run_programs(dt);
-  for (percept::Action& action : actions_) action = {};
   for (FleetRobot& robot : now_.robots) {
+    if (robot.body != binding::kNoBody) actions_[robot.body.value] = {};
     if (robot.life == RobotLife::kRunning)
       collect(robot, dt);
     else if (robot.life == RobotLife::kFaulted && now_.failsafes->drives(robot.failsafe))

@@ -75,6 +75,14 @@ std::uint32_t Program::SequenceCode::active_in(const std::byte* frame) const {
   return index < states.size() ? index : start;
 }
 
+const Program::CaseCode* Program::SelectCode::chosen_in(const std::byte* frame) const {
+  const std::int64_t value = integer_at(frame, selector, selector_size);
+  for (const Choice& choice : choices) {
+    if (choice.value == value) return &cases[choice.index];
+  }
+  return otherwise < 0 ? nullptr : &cases[static_cast<std::size_t>(otherwise)];
+}
+
 std::uint64_t Program::layout_hash() const {
   std::uint64_t key = initial_.size();
   const auto add = [&key](std::initializer_list<std::uint64_t> parts) {
@@ -135,31 +143,24 @@ void Program::run(const Block& block, Run& cycle) const {
       held = cycle.interventions->held_at(i->output);
       if (held != nullptr) std::memcpy(call.frame + held->offset, held->computed.data(), held->size);
     }
-    switch (i->kind) {
-      case Instruction::Kind::kFire:
-        call.inputs = words_.data() + i->inputs;
-        call.output = i->output;
-        call.state = i->state;
-        call.is_first = is_first;
-        call.is_restart = is_restart;
-        call.path_hash = i->path_hash;
-        i->fire(call);
-        break;
-      case Instruction::Kind::kSequence:
-        run_sequence<kIntervened>(*i, is_restart, cycle);
-        break;
-      case Instruction::Kind::kSelect:
-        run_select<kIntervened>(*i, cycle);
-        break;
-      case Instruction::Kind::kDelay: {
-        const DelayCode& delay = delays_[i->data];
-        copy_value(call.frame + i->output, call.frame + (is_restart ? delay.initial : delay.next),
-                   delay.value_size);
-        break;
-      }
-      case Instruction::Kind::kStartAsync:
-        run_async(*i, is_first, call, now, cycle.async);
-        break;
+    if (i->kind == Instruction::Kind::kFire) [[likely]] {
+      call.inputs = words_.data() + i->inputs;
+      call.output = i->output;
+      call.state = i->state;
+      call.is_first = is_first;
+      call.is_restart = is_restart;
+      call.path_hash = i->path_hash;
+      i->fire(call);
+    } else if (i->kind == Instruction::Kind::kSelect) {
+      run_select<kIntervened>(*i, cycle);
+    } else if (i->kind == Instruction::Kind::kSequence) {
+      run_sequence<kIntervened>(*i, is_restart, cycle);
+    } else if (i->kind == Instruction::Kind::kDelay) {
+      const DelayCode& delay = delays_[i->data];
+      copy_value(call.frame + i->output, call.frame + (is_restart ? delay.initial : delay.next),
+                 delay.value_size);
+    } else {
+      run_async(*i, is_first, call, now, cycle.async);
     }
     if constexpr (kIntervened) {
       if (held == nullptr) continue;
@@ -200,19 +201,13 @@ template <bool kIntervened>
 void Program::run_select(const Instruction& instruction, Run& cycle) const {
   const SelectCode& select = selects_[instruction.data];
   std::byte* const frame = cycle.call.frame;
-  const std::int64_t value = integer_at(frame, select.selector, select.selector_size);
-  std::int32_t chosen = select.otherwise;
-  for (std::size_t i = 0; i < select.cases.size(); ++i) {
-    const auto& values = select.cases[i].values;
-    if (std::ranges::find(values, value) != values.end()) chosen = static_cast<std::int32_t>(i);
-  }
-  if (chosen < 0) {
+  const CaseCode* const chosen = select.chosen_in(frame);
+  if (chosen == nullptr) {
     std::memset(frame + instruction.output, 0, select.value_size);
     return;
   }
-  const CaseCode& member = select.cases[static_cast<std::size_t>(chosen)];
-  run<kIntervened>(member.member, cycle);
-  copy_value(frame + instruction.output, frame + member.value, select.value_size);
+  run<kIntervened>(chosen->member, cycle);
+  copy_value(frame + instruction.output, frame + chosen->value, select.value_size);
 }
 
 void Program::run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,

@@ -109,17 +109,24 @@ class Program {
     std::uint32_t active_in(const std::byte* frame) const;
   };
   struct CaseCode {
-    std::vector<std::int64_t> values;
     Block member;
     std::uint32_t value = 0;
   };
   struct SelectCode {
+    struct Choice {
+      std::int64_t value = 0;
+      std::uint32_t index = 0;  ///< of the case
+    };
     std::uint32_t selector = 0;
     TypeKind selector_kind = TypeKind::kInteger;
     std::uint32_t selector_size = 4;
     std::uint32_t value_size = 0;
     std::vector<CaseCode> cases;
+    std::vector<Choice> choices;  ///< of all cases
     std::int32_t otherwise = -1;
+
+    /// The case of the selector's value; null where there is none.
+    const CaseCode* chosen_in(const std::byte* frame) const;
   };
   struct DelayCode {
     std::uint32_t stamp = 0;

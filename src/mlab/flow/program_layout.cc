@@ -350,7 +350,9 @@ std::uint32_t ProgramBuilder::emit_select(const Op& op) {
   const Node& node = *op.node;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (node.cases[i].values.empty()) code.otherwise = static_cast<std::int32_t>(i);
-    code.cases.push_back({node.cases[i].values, emit_for({members[i]}), offset_of(members[i])});
+    for (const std::int64_t value : node.cases[i].values)
+      code.choices.push_back({value, static_cast<std::uint32_t>(i)});
+    code.cases.push_back({emit_for({members[i]}), offset_of(members[i])});
   }
   program_->selects_.push_back(std::move(code));
   return static_cast<std::uint32_t>(program_->selects_.size() - 1);

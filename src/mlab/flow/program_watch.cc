@@ -14,19 +14,6 @@ const T& value_at(const std::byte* frame, std::uint32_t offset) {
   return *std::launder(reinterpret_cast<const T*>(frame + offset));
 }
 
-std::int64_t whole_number_at(const std::byte* frame, std::uint32_t offset, std::uint32_t size) {
-  switch (size) {
-    case 1:
-      return value_at<std::uint8_t>(frame, offset);
-    case 2:
-      return value_at<std::uint16_t>(frame, offset);
-    case 4:
-      return value_at<std::int32_t>(frame, offset);
-    default:
-      return value_at<std::int64_t>(frame, offset);
-  }
-}
-
 }  // namespace
 
 std::optional<geom::Vector> Program::vector(const std::byte* frame, const Port& port) {
@@ -128,16 +115,8 @@ void Program::add_ran(const Block& block, const std::byte* frame, std::span<cons
       }
       add_ran(code.states[code.active_in(frame)].member, frame, before, interventions, out);
     } else if (i.kind == Instruction::Kind::kSelect) {
-      const SelectCode& code = selects_[i.data];
-      const std::int64_t value = whole_number_at(frame, code.selector, code.selector_size);
-      std::int32_t chosen = code.otherwise;
-      for (std::size_t c = 0; c < code.cases.size(); ++c) {
-        const auto& values = code.cases[c].values;
-        if (std::ranges::find(values, value) != values.end()) chosen = static_cast<std::int32_t>(c);
-      }
-      if (chosen >= 0) {
-        add_ran(code.cases[static_cast<std::size_t>(chosen)].member, frame, before, interventions, out);
-      }
+      const CaseCode* const chosen = selects_[i.data].chosen_in(frame);
+      if (chosen != nullptr) add_ran(chosen->member, frame, before, interventions, out);
     }
   }
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "mlab/geom/vector.h"
 
@@ -50,6 +52,20 @@ inline double distance(Point a, Point b) {
   return length(a - b);
 }
 
+/// Of length 1 in the direction of a heading [rad]: its cosine and sine, which take longer to find than all
+/// that is done with them. Each thread remembers the last ones, since most of what a robot computes in a
+/// cycle is turned by its own heading.
+inline Offset ahead_of(double heading) {
+  struct Known {
+    double heading = 0.0;
+    Offset ahead{1.0, 0.0};
+  };
+  thread_local Known known;
+  if (std::bit_cast<std::uint64_t>(heading) != std::bit_cast<std::uint64_t>(known.heading))
+    known = {heading, {std::cos(heading), std::sin(heading)}};
+  return known.ahead;
+}
+
 /// Where a robot is and where it looks.
 struct Pose {
   Point position;
@@ -59,14 +75,12 @@ struct Pose {
   Vector to_robot(Point p) const { return to_robot(p - position); }
   /// The world direction as the robot sees it.
   Vector to_robot(Offset o) const {
-    const double c = std::cos(heading);
-    const double s = std::sin(heading);
+    const auto [c, s] = ahead_of(heading);
     return {c * o.x + s * o.y, c * o.y - s * o.x, 0.0};
   }
   /// The robot-frame vector as a difference in the world.
   Offset to_world(Vector v) const {
-    const double c = std::cos(heading);
-    const double s = std::sin(heading);
+    const auto [c, s] = ahead_of(heading);
     return {c * v.x - s * v.y, s * v.x + c * v.y};
   }
   /// The place that a robot-frame vector from the robot points at.

@@ -1,5 +1,9 @@
 #include "mlab/geom/pose.h"
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -20,6 +24,16 @@ TEST(Pose, PointAtIsTheInverseOfToRobot) {
   const Point back = pose.point_at(pose.to_robot(p));
   EXPECT_NEAR(back.x, p.x, 1e-12);
   EXPECT_NEAR(back.y, p.y, 1e-12);
+}
+
+TEST(Pose, LooksWhereItsHeadingSaysWhicheverWasAskedForBefore) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double one : {0.7, 0.7, -0.7, 0.0, -0.0, nan, 0.0, 3.0, nan, -0.0, 1e9, 0.7}) {
+    const volatile double heading = one;  // compilers know cosines to another last digit
+    const Offset ahead = ahead_of(heading);
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(ahead.x), std::bit_cast<std::uint64_t>(std::cos(heading)));
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(ahead.y), std::bit_cast<std::uint64_t>(std::sin(heading)));
+  }
 }
 
 TEST(Segment, NearestPointStaysBetweenTheEnds) {

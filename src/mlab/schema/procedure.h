@@ -54,6 +54,7 @@ namespace mlab::schema {
 using base::degrees;
 using base::radians;
 using base::wrap_angle;
+using geom::ahead_of;
 using geom::cross;
 using geom::direction;
 using geom::distance;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mlab/geom/vector.h"
+#include "mlab/geom/pose.h"
 
 namespace mlab::schema {
 
@@ -10,7 +10,9 @@ namespace mlab::schema {
 /// @param is_robot_frame  up is ahead of the robot; else up is north
 /// @param heading         of the robot [rad, world]
 inline geom::Vector stick_direction(double x, double y, bool is_robot_frame, double heading) {
-  return is_robot_frame ? geom::unit({y, -x, 0.0}) : geom::rotated(geom::unit({x, y, 0.0}), -heading);
+  if (is_robot_frame) return geom::unit({y, -x, 0.0});
+  const geom::Vector pushed = geom::unit({x, y, 0.0});
+  return geom::Pose{{}, heading}.to_robot(geom::Offset{pushed.x, pushed.y});
 }
 
 }  // namespace mlab::schema

@@ -51,8 +51,9 @@ struct Site {
 /// Those used last, for all robots of the process.
 class Sites {
  public:
-  /// Robots that a thread computes one after the other ask for the same few, which it holds on to.
-  std::shared_ptr<Site> at(const percept::KnownGround& ground, double clearance) {
+  /// Robots that a thread computes one after the other ask for the same few, which it holds on to: so what is
+  /// returned stands until the thread has asked for others.
+  const std::shared_ptr<Site>& at(const percept::KnownGround& ground, double clearance) {
     constexpr std::size_t kHeld = 4;
     thread_local std::array<std::shared_ptr<Site>, kHeld> held;
     thread_local std::size_t next = 0;
@@ -322,8 +323,7 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     return there < end ? nearest : way_at(std::max(0.0, length - in_file()));
   };
   if (ground.revision == 0 || way.count < 2) return {place_at(std::min(at, end)), std::min(at, end)};
-  const auto site = sites().at(ground, way.clearance);
-  const ways::Clearing& clearing = site->clearing();
+  const ways::Clearing& clearing = sites().at(ground, way.clearance)->clearing();
   for (int step = 0; step < kMostPlaces && at + kStep * step < end; ++step) {
     const double there = at + kStep * step;
     const geom::Point place = place_at(there);

@@ -45,7 +45,8 @@ class Bench {
   Bench(const BenchScenario& scenario, const BenchOptions& options, const BenchControl& control)
       : options_(options),
         control_(control),
-        simulator_(bench_world(scenario), {.seed = options.seed, .threads = options.threads}),
+        simulator_(bench_world(scenario),
+                   {.seed = options.seed, .threads = options.threads, .measures_times = true}),
         workers_(static_cast<std::size_t>(simulator_.workers().count())),
         actions_(scenario.robots.size()) {
     const BodySpec spec = bench_body(options.range);

@@ -13,6 +13,8 @@ constexpr int kMostHalvings = 40;
 /// Fewer, and what stands in clumps far from each other shares places.
 constexpr std::size_t kPlacesPerItem = 4;
 constexpr std::size_t kSamples = 256;
+/// So many are looked at one by one.
+constexpr std::size_t kHandful = 16;
 
 /// How wide items spread, told by at most kSamples of them.
 template <class Coordinate>
@@ -79,6 +81,11 @@ std::size_t PointGrid::sort(std::span<const Item> items) {
 void PointGrid::build(std::span<const Item> items, double smallest_cell) {
   max_radius_ = 0.0;
   for (const Item& item : items) max_radius_ = std::max(max_radius_, static_cast<double>(item.radius));
+  has_cells_ = items.size() > kHandful;
+  if (!has_cells_) {
+    sorted_.assign(items.begin(), items.end());
+    return;
+  }
   const double wide = spread_of(items, [](const Item& item) { return item.x; });
   const double high = spread_of(items, [](const Item& item) { return item.y; });
   const double count = std::max(1.0, static_cast<double>(items.size()));

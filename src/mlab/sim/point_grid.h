@@ -148,7 +148,8 @@ class LatticeCells {
 };
 
 /// Discs sorted into cells by their centres, to find those near a place. The size of the cells follows how
-/// far and how densely they stand; it only makes a difference to speed.
+/// far and how densely they stand; it only makes a difference to speed. A handful has no cells: looking at
+/// all of them is faster.
 class PointGrid {
  public:
   struct Item {
@@ -167,11 +168,11 @@ class PointGrid {
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
     if (sorted_.empty()) return;
-    const bool is_done = cells_.for_each_run(box, [&](std::uint32_t first, std::uint32_t last) {
+    const auto visit_places = [&](std::uint32_t first, std::uint32_t last) {
       const Item* const end = sorted_.data() + starts_[last + 1];
       for (const Item* item = sorted_.data() + starts_[first]; item != end; ++item) visit(*item);
-    });
-    if (is_done) return;
+    };
+    if (has_cells_ && cells_.for_each_run(box, visit_places)) return;
     for (const Item& item : sorted_) visit(item);
   }
   /// The cell that answers questions about everything within this reach best, by trials with robots anywhere,
@@ -186,6 +187,7 @@ class PointGrid {
   /// Sorts into cells of the present size. @return how many places of the table are in use
   std::size_t sort(std::span<const Item> items);
 
+  bool has_cells_ = false;
   LatticeCells cells_;
   int halvings_ = 0;  ///< of the cells that would just cover everything, because too many items shared one
   std::vector<std::uint32_t> starts_;  ///< by place: where its items begin in sorted_; one more for the end

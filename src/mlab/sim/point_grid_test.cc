@@ -163,6 +163,17 @@ TEST(PointGrid, CanBeEmptyAndFilledAgain) {
   EXPECT_EQ(Answer(grid, items, Box::around(0, 0, 2)).seen.size(), 1U);
 }
 
+TEST(PointGrid, FindsAHandfulAndManyInTurns) {
+  base::Random random(1);
+  PointGrid grid;
+  for (const std::uint32_t count : {100U, 5U, 16U, 17U, 0U, 100U}) {
+    const std::vector<Item> items = scattered(count, random, 10.0);
+    grid.build(items, 0.01);
+    for (const double reach : {0.5, 5.0, 50.0})
+      EXPECT_TRUE(Answer(grid, items, Box::around(1, 2, reach)).is_right()) << count;
+  }
+}
+
 TEST(RoundedUp, IsNeverLess) {
   for (const double value : {0.1, 1.0 / 3, 1e-300, 123456789.123}) {
     EXPECT_GE(static_cast<double>(rounded_up(value)), value);

@@ -35,8 +35,10 @@ constexpr double kLongestStep = 1e6;
 
 class Stopwatch {
  public:
-  /// Seconds since it was made or last asked.
+  explicit Stopwatch(bool is_on) : is_on_(is_on) { lap(); }
+  /// Seconds since it was made or last asked; 0: it is off.
   double lap() {
+    if (!is_on_) return 0.0;
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<double> passed = now - last_;
     last_ = now;
@@ -44,7 +46,8 @@ class Stopwatch {
   }
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  bool is_on_;
+  std::chrono::steady_clock::time_point last_;
 };
 
 }  // namespace
@@ -389,7 +392,7 @@ const binding::RadioLinks* Simulator::radio() {
 void Simulator::step(std::span<const percept::Action> actions, double dt) {
   Parts& p = *parts_;
   Bodies& bodies = p.state.bodies;
-  Stopwatch watch;
+  Stopwatch watch(p.settings.measures_times);
   p.refresh();
   p.contact.resize(bodies.count());
   if (p.has_odometry) {

@@ -29,6 +29,7 @@ struct SimulatorSettings {
   std::uint64_t seed = 1;  ///< of the sensors' noise
   int threads = 1;         ///< results are the same for any number
   std::vector<Breakdown> breakdowns = {};
+  bool measures_times = false;  ///< step_times() tells something; where robots are few it takes its time
 };
 
 /// Seconds of wall clock that step() has spent since the simulator was made.

@@ -79,8 +79,8 @@ Clearing::Clearing(const Ground& ground, double clearance) : ground_(ground), cl
 
 Clearing::Cell Clearing::cell_of(geom::Point p) const {
   const auto index = [&](double at, double from, std::int32_t count) {
-    return static_cast<std::int32_t>(
-        std::clamp(std::floor((at - from) / cell_), 0.0, static_cast<double>(count - 1)));
+    // What is not below 0 is rounded down by the cast; std::floor is a call.
+    return static_cast<std::int32_t>(std::clamp((at - from) / cell_, 0.0, static_cast<double>(count - 1)));
   };
   return {index(p.x, x0_, columns_), index(p.y, y0_, rows_)};
 }
