@@ -5,6 +5,8 @@
 
 #include <csignal>
 
+#include "network/victim.h"
+
 namespace mlab::testing {
 namespace {
 
@@ -102,6 +104,50 @@ TEST_F(Fleets, RobotsOfAMachineThatIsLostStandAndTheReasonIsTold) {
   ASSERT_TRUE(told.is_object());
   EXPECT_EQ(told["outcome"], "failed");
   EXPECT_TRUE(come_to_be(0)) << "an agent takes its robots with it";
+}
+
+// Of the run that has just ended, recorded on the base: it is computed again as it was, though nobody is lost
+// there.
+void expect_replayed(network::Host& base, const Json& report) {
+  Process again = base.start(
+      {MLAB_COMMAND, "replay", "/tmp/run.mcap", "--headless", "--quiet", "--report", "/tmp/replayed.json"});
+  const auto ending = again.wait(kFleetPatience);
+  ASSERT_TRUE(ending) << again.output() << again.errors();
+  EXPECT_EQ(ending->words(), "exit status 0") << again.output() << again.errors();
+  Json replayed = but_for_its_cost(report_in(base.path("/tmp/replayed.json")));
+  ASSERT_TRUE(replayed.is_object());
+  replayed["mission"]["file"] = report["mission"]["file"];  // its name begins where the mission lies
+  EXPECT_EQ(replayed.dump(2), but_for_its_cost(report).dump(2));
+}
+
+TEST_F(Fleets, ARunThatLostAMachineIsReplayedAsItWas) {
+  make_network(14);
+  const Process north = agent("north");
+  const Process south = agent("south");
+  Process far = run(mission("patrol"), {"--speed", "40", "--patience", "100", "--record", "/tmp/run.mcap"});
+  ASSERT_TRUE(come_to_be(2));
+  ASSERT_TRUE(south.signal(SIGKILL));
+  ASSERT_TRUE(far.wait(kFleetPatience)) << far.output() << far.errors();
+  ASSERT_NE(far.output().find("can't be reached"), std::string::npos) << far.output();
+  expect_replayed(base(), report());
+}
+
+// Whoever takes the place of a process that was killed is killed as well, until a robot stands because of it.
+TEST_F(Fleets, ARunThatLostRobotsProcessesIsReplayedAsItWas) {
+  make_network(15);
+  Process run = base().start({MLAB_COMMAND, "run", mission("patrol"), "--headless", "--proceed", "--robots",
+                              "process", "--threads", "1", "--speed", "40", "--patience", "100", "--record",
+                              "/tmp/run.mcap", "--report", "/tmp/report.json"});
+  ASSERT_TRUE(come_to_be(2));
+  const auto end = network::Clock::now() + kFleetPatience;
+  while (run.output().find("ended with signal 9") == std::string::npos && network::Clock::now() < end) {
+    for (const network::Seen& one : base().processes()) {
+      if (one.name == "mlab-robots") network::Victim(one).signal(SIGKILL);
+    }
+  }
+  ASSERT_TRUE(run.wait(kFleetPatience)) << run.output() << run.errors();
+  ASSERT_NE(run.output().find("ended with signal 9"), std::string::npos) << run.output();
+  expect_replayed(base(), report());
 }
 
 TEST_F(Fleets, RobotsOfARunThatIsKilledEnd) {

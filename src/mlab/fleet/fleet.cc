@@ -179,7 +179,13 @@ bool Fleet::start_program(FleetRobot& robot) {
   robot.failure.clear();
   robot.ailment.clear();
   robot.notifications.clear();
-  const auto problem = robot.runner != nullptr ? robot.runner->start(robot.member) : std::nullopt;
+  std::optional<std::string> problem;
+  if (robot.runner != nullptr) {
+    ++robot.starts;
+    const std::string* const known =
+        known_failures_ ? known_failures_->at_start(robot.id, robot.starts) : nullptr;
+    problem = known != nullptr ? std::optional(*known) : robot.runner->start(robot.member);
+  }
   if (problem) {
     robot.failure = *problem;
     robot.life = RobotLife::kFaulted;
@@ -366,8 +372,22 @@ void Fleet::run_programs(double dt) {
                          });
   for (const auto& runner : runners_) runner->ask();
   for (const auto& runner : runners_) runner->wait(meanwhile_);
+  fail_as_known();
   add_found();
   if (witness_ != nullptr) witness_->note_answered(now_.robots);
+}
+
+// What they have computed here nobody heard of then.
+void Fleet::fail_as_known() {
+  if (!known_failures_ || !known_failures_->are_any()) return;
+  for (FleetRobot& robot : now_.robots) {
+    if (robot.life != RobotLife::kRunning) continue;
+    const std::string* const failure = known_failures_->in_cycle(robot.id);
+    if (failure == nullptr) continue;
+    robot.action = {};
+    robot.fault.clear();
+    robot.failure = *failure;
+  }
 }
 
 // Takes up what the robot's program answered.

@@ -42,6 +42,20 @@ class AnswerWitness {
   virtual void note_answered(std::span<const FleetRobot> robots) = 0;
 };
 
+/// Knows of a run that is computed again whose programs failed in it, and when: machines were lost, processes
+/// were killed. Asked between and in cycles, by the run's thread.
+class KnownFailures {
+ public:
+  virtual ~KnownFailures() = default;
+  /// Why the robot's program was not brought to life now; null: it was.
+  /// @param start  which of the robot's starts this is, from 1
+  virtual const std::string* at_start(base::RobotId robot, std::uint32_t start) const = 0;
+  /// Some program failed in the cycle that is being computed.
+  virtual bool are_any() const = 0;
+  /// What the robot's program did in it instead of acting; null: it acted.
+  virtual const std::string* in_cycle(base::RobotId robot) const = 0;
+};
+
 /// The robots of a run in this process: steps their programs against their bodies, all by the same seed.
 ///
 /// Per cycle: `step` computes what units have in common, senses, runs every program, moves all bodies, and
@@ -57,6 +71,9 @@ class Fleet {
 
   /// @param witness  outlives this, or another one is set; null: there is none
   void set_witness(AnswerWitness* witness) { witness_ = witness; }
+  /// Programs fail where these say so, as if they did by themselves.
+  /// @param failures  null: they fail by themselves alone
+  void set_known_failures(std::unique_ptr<KnownFailures> failures) { known_failures_ = std::move(failures); }
 
   /// Brings a robot into the world.
   /// @return  where it stands
@@ -215,6 +232,7 @@ class Fleet {
   /// Teams remember what their robots found, and forget what they missed.
   void add_found();
   void run_programs(double dt);
+  void fail_as_known();
   void run_piece(std::size_t begin, std::size_t end, double dt, int worker);
   void collect(FleetRobot& robot, double dt);
   /// What the program wants passes through the failsafes. @return  false: it is stopped
@@ -236,6 +254,7 @@ class Fleet {
   robot::ProgramRunners runners_;
   robot::Meanwhile meanwhile_;
   AnswerWitness* witness_ = nullptr;
+  std::unique_ptr<KnownFailures> known_failures_;
   std::vector<binding::Ailment> ailments_;
 };
 

@@ -67,7 +67,8 @@ struct FleetRobot {
   geom::Pose start;
   std::uint16_t failsafes = 0;  ///< rows of the mission's table that are its own, a bit for each
   FailsafeState failsafe;
-  std::string fault;    ///< path of the port that went wrong; empty: none
+  std::string fault;         ///< path of the port that went wrong; empty: none
+  std::uint32_t starts = 0;  ///< how often its program was to be brought to life, in whatever place
   std::string failure;  ///< what the process of its program did instead of acting: `ended with exit status 3`
   std::string ailment;  ///< why its body could not be counted on any more: `has no more percepts`
   robot::ProgramRunner* runner = nullptr;   ///< of its program; null: nothing here answers to its name

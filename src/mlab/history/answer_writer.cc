@@ -50,10 +50,9 @@ AnswerWriter::AnswerWriter(const run::MissionRun& run)
       time_(run.time()),
       taken_(run.cycle()) {}
 
-bool AnswerWriter::is_needed(const run::Crew& crew) {
+void AnswerWriter::take_up(const run::Crew& crew) {
   is_needed_ =
       is_needed_ || are_late_ || std::ranges::any_of(crew.programs, &robot::RobotProgram::is_in_executable);
-  return is_needed_;
 }
 
 wire::HistoryExecutable AnswerWriter::describe(const robot::RobotProgram& program) {
@@ -79,21 +78,16 @@ bool AnswerWriter::is_answered_for(const fleet::FleetRobot& robot) const {
 }
 
 void AnswerWriter::note_start(const fleet::FleetRobot& robot) {
-  if (!is_answered_for(robot)) return;
-  const auto at = std::ranges::find_if(noted_.not_started(), [&](const wire::HistoryNotStarted& one) {
-    return one.robot() == robot.id.value && one.before() == run_.cycle();
-  });
-  const bool is_known = at != noted_.not_started().end();
-  if (robot.failure.empty() && !is_known) return;
-  wire::HistoryNotStarted& out =
-      is_known ? *noted_.mutable_not_started(static_cast<int>(at - noted_.not_started().begin()))
-               : *noted_.add_not_started();
+  if (robot.runner == nullptr || robot.failure.empty()) return;
+  wire::HistoryNotStarted& out = *noted_.add_not_started();
   out.set_before(static_cast<std::uint32_t>(run_.cycle()));
   out.set_robot(robot.id.value);
+  out.set_start(robot.starts);
   out.set_failure(robot.failure);
 }
 
 void AnswerWriter::note_asked(std::span<const fleet::FleetRobot> robots) {
+  if (!is_needed_) return;
   asked_.resize(robots.size());
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const fleet::FleetRobot& robot = robots[i];
@@ -104,10 +98,21 @@ void AnswerWriter::note_asked(std::span<const fleet::FleetRobot> robots) {
 
 void AnswerWriter::note_answered(std::span<const fleet::FleetRobot> robots) {
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (is_answered_for(robots[i])) note(robots[i], i);
+    if (is_needed_ && is_answered_for(robots[i]))
+      note(robots[i], i);
+    else
+      note_failure(robots[i]);
   }
   to_ = run_.cycle();
   time_ = run_.time();
+}
+
+void AnswerWriter::note_failure(const fleet::FleetRobot& robot) {
+  if (robot.failure.empty() || robot.life != fleet::RobotLife::kRunning) return;
+  wire::HistoryFailed& out = *noted_.add_failed();
+  out.set_before(static_cast<std::uint32_t>(run_.cycle()));
+  out.set_robot(robot.id.value);
+  out.set_failure(robot.failure);
 }
 
 void AnswerWriter::note(const fleet::FleetRobot& robot, std::size_t index) {
@@ -154,12 +159,13 @@ void AnswerWriter::note_cycle() {
 }
 
 std::optional<wire::HistoryEntry> AnswerWriter::take() {
-  if (!is_needed_ || (to_ == taken_ && noted_.not_started().empty())) return std::nullopt;
+  if (!has_failures() && (!is_needed_ || to_ == taken_)) return std::nullopt;
   const auto count_back = [this](auto& one) {
     one.set_before(static_cast<std::uint32_t>(to_) - one.before());
   };
   std::ranges::for_each(*noted_.mutable_answers(), count_back);
   std::ranges::for_each(*noted_.mutable_not_started(), count_back);
+  std::ranges::for_each(*noted_.mutable_failed(), count_back);
   wire::HistoryEntry out;
   out.set_cycle(to_);
   out.set_time(time_);

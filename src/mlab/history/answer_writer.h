@@ -17,14 +17,16 @@
 namespace mlab::history {
 
 /// Notes what robots of a run answer whose programs can't be computed again: those in executables, and in
-/// real time all that are elsewhere. Belongs to the run's thread.
+/// real time all that are elsewhere. Of all others, that their programs failed. Belongs to the run's thread.
 class AnswerWriter final : public fleet::AnswerWitness {
  public:
   /// @param run  outlives this
   explicit AnswerWriter(const run::MissionRun& run);
 
-  /// True where the crew has such programs, or one before had.
-  bool is_needed(const run::Crew& crew);
+  /// The run has that crew from now on.
+  void take_up(const run::Crew& crew);
+  /// Some program has failed since `take`.
+  bool has_failures() const { return noted_.failed_size() > 0 || noted_.not_started_size() > 0; }
   /// A cycle has passed, in which programs ran or not.
   void note_cycle();
   /// What was noted since, with the cycle up to which it tells; nothing: there is none.
@@ -46,13 +48,14 @@ class AnswerWriter final : public fleet::AnswerWitness {
     std::string hearing;
   };
   bool is_answered_for(const fleet::FleetRobot& robot) const;
+  void note_failure(const fleet::FleetRobot& robot);
   void note(const fleet::FleetRobot& robot, std::size_t index);
 
   const run::MissionRun& run_;
-  const bool are_late_;  // robots elsewhere are not waited for
-  bool is_needed_ = false;
-  std::uint64_t to_ = 0;  // what is noted is complete up to this cycle
-  double time_ = 0.0;     // of it [s]
+  const bool are_late_;     // robots elsewhere are not waited for
+  bool is_needed_ = false;  // the crew has such programs, or one before had
+  std::uint64_t to_ = 0;    // what is noted is complete up to this cycle
+  double time_ = 0.0;       // of it [s]
   std::uint64_t taken_ = 0;
   std::vector<percept::Needs> asked_;  // by index of the fleet's robots
   std::map<base::RobotId, Said> said_;

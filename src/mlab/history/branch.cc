@@ -54,12 +54,18 @@ class Brancher {
     begin();
     std::size_t next = 0;
     const std::vector<InputEntry>& inputs = from_.inputs();
-    for (; next < inputs.size() && inputs[next].moment.cycle < departure_.cycle; ++next) copy(inputs[next]);
+    for (; next < inputs.size() && inputs[next].moment.cycle < departure_.cycle; ++next) {
+      copy_failures(inputs[next].moment.cycle);
+      copy(inputs[next]);
+    }
+    copy_failures(departure_.cycle);
     if (auto problem = change_texts()) return std::unexpected(std::move(*problem));
     if (auto problem = type_lines(mission)) return std::unexpected(std::move(*problem));
     for (; departure_.with_later && next < inputs.size(); ++next) {
+      copy_failures(inputs[next].moment.cycle);
       if (!inputs[next].input.has_exchanged() || !is_another_version_) copy(inputs[next]);
     }
+    if (departure_.with_later) copy_failures(from_.last_cycle());
     if (problem_) return std::unexpected(std::move(*problem_));
     out_.history->reach(departure_.cycle, departure_.time);
     return std::move(out_);
@@ -108,6 +114,26 @@ class Brancher {
     wire::HistoryEntry entry;
     *entry.mutable_input() = input.input;
     put(input.moment.cycle, std::max(input.time, out_.history->last_time()), std::move(entry));
+  }
+
+  // Programs that failed up to a cycle: what came in behind it comes later.
+  void copy_failures(std::uint64_t cycle) {
+    wire::HistoryEntry entry;
+    const auto copy_to = [&](History::Failures::const_iterator& next, const History::Failures& all,
+                             auto add) {
+      for (; next != all.end() && next->first.cycle <= cycle; ++next) {
+        auto& out = *add();
+        out.set_before(static_cast<std::uint32_t>(cycle - next->first.cycle));
+        out.set_robot(next->first.robot);
+        if constexpr (requires { out.set_start(1); }) out.set_start(next->first.start);
+        out.set_failure(next->second);
+      }
+    };
+    wire::HistoryAnswers& out = *entry.mutable_answers();
+    copy_to(next_not_started_, from_.not_started(), [&] { return out.add_not_started(); });
+    copy_to(next_failed_, from_.failed(), [&] { return out.add_failed(); });
+    if (out.not_started().empty() && out.failed().empty()) return;
+    put(cycle, out_.history->last_time(), std::move(entry));
   }
 
   void exchange(bool takes_over) {
@@ -163,6 +189,8 @@ class Brancher {
   wire::HistoryMission version_;
   bool is_another_version_ = false;
   std::uint32_t last_text_ = 0;
+  History::Failures::const_iterator next_not_started_ = from_.not_started().begin();
+  History::Failures::const_iterator next_failed_ = from_.failed().begin();
   Branch out_{std::make_shared<History>(), false};
   std::optional<std::string> problem_;
 };

@@ -192,21 +192,30 @@ void History::note_need_of_answers(const wire::HistoryMission& mission, const wi
 std::optional<std::string> History::add_answers(const wire::HistoryEntry& entry) {
   if (auto problem = what_is_wrong(entry, answers_.empty() ? 0 : answers_.back().cycle)) return problem;
   for (const wire::HistoryNotStarted& one : entry.answers().not_started()) {
-    const std::pair key(entry.cycle() - one.before(), one.robot());
+    const Failure key{entry.cycle() - one.before(), one.robot(), one.start()};
     if (one.failure().empty())
       not_started_.erase(key);
     else
       not_started_[key] = one.failure();
   }
+  for (const wire::HistoryFailed& one : entry.answers().failed())
+    failed_[{entry.cycle() - one.before(), one.robot(), 0}] = one.failure();
   answers_.push_back({entry.cycle(), entry.answers()});
   answered_ = entry.cycle();
   answered_time_ = entry.time();
   return std::nullopt;
 }
 
-const std::string* History::why_not_started(std::uint64_t cycle, std::uint32_t robot) const {
-  const auto at = not_started_.find({cycle, robot});
+const std::string* History::why_not_started(std::uint64_t cycle, std::uint32_t robot,
+                                            std::uint32_t start) const {
+  auto at = not_started_.find({cycle, robot, start});
+  if (at == not_started_.end()) at = not_started_.find({cycle, robot, 0});
   return at != not_started_.end() ? &at->second : nullptr;
+}
+
+const std::string* History::why_failed(std::uint64_t cycle, std::uint32_t robot) const {
+  const auto at = failed_.find({cycle, robot, 0});
+  return at != failed_.end() ? &at->second : nullptr;
 }
 
 }  // namespace mlab::history

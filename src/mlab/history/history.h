@@ -84,7 +84,21 @@ class History {
   const std::vector<EventEntry>& events() const { return events_; }
   const std::vector<AnswersEntry>& answers() const { return answers_; }
   /// Why a robot's program was not brought to life after that cycle; null: it was.
-  const std::string* why_not_started(std::uint64_t cycle, std::uint32_t robot) const;
+  /// @param start  which of the robot's starts it was, from 1
+  const std::string* why_not_started(std::uint64_t cycle, std::uint32_t robot, std::uint32_t start) const;
+  /// What a robot's program did in that cycle instead of acting, one that is computed again; null: it acted.
+  const std::string* why_failed(std::uint64_t cycle, std::uint32_t robot) const;
+  /// A robot whose program failed.
+  struct Failure {
+    std::uint64_t cycle = 0;
+    std::uint32_t robot = 0;
+    std::uint32_t start = 0;  ///< where it was not started: as `why_not_started`; 0: each of that cycle
+
+    auto operator<=>(const Failure&) const = default;
+  };
+  using Failures = std::map<Failure, std::string>;              // with what it did
+  const Failures& not_started() const { return not_started_; }  ///< after that cycle
+  const Failures& failed() const { return failed_; }            ///< in that cycle
   /// Nothing where the run was not told to its end: it goes on, or it was killed.
   const std::optional<EndEntry>& end() const { return end_; }
   /// The last that is known of, and its time [s]. Where robots' answers are a part of the history, the last
@@ -114,7 +128,8 @@ class History {
   std::vector<PosesEntry> poses_;
   std::vector<EventEntry> events_;
   std::vector<AnswersEntry> answers_;
-  std::map<std::pair<std::uint64_t, std::uint32_t>, std::string> not_started_;  // by cycle and robot
+  Failures not_started_;
+  Failures failed_;
   bool needs_answers_ = false;
   std::uint64_t answered_ = 0;  // up to this cycle, if it needs answers
   double answered_time_ = 0.0;  // of it [s]

@@ -103,7 +103,8 @@ void HistoryWriter::begin(run::MissionRun& run, const Circumstances& circumstanc
   for (std::string& vehicle : run.vehicles()) beginning.add_vehicles(std::move(vehicle));
   put_mission(*run.crew(), *beginning.mutable_mission());
   put(said);
-  if (answers_->is_needed(*run.crew())) run.set_answer_witness(answers_.get());
+  answers_->take_up(*run.crew());
+  run.set_answer_witness(answers_.get());
   run.set_input_observer(
       [this](const run::Moment& moment, const run::Input& input) { note_input(moment, input); });
 }
@@ -117,7 +118,7 @@ void HistoryWriter::note_input(const run::Moment& moment, const run::Input& inpu
     put_mission(*exchanged->crew, *out.mutable_exchanged()->mutable_mission());
     out.mutable_exchanged()->set_takes_over(exchanged->takes_over);
     note_rest();
-    if (answers_->is_needed(*exchanged->crew)) run_->set_answer_witness(answers_.get());
+    answers_->take_up(*exchanged->crew);
   }
   put(said);
 }
@@ -136,6 +137,7 @@ void HistoryWriter::see(const mission::Effect& effect) {
 void HistoryWriter::note_cycle() {
   if (run_ == nullptr) return;
   answers_->note_cycle();
+  if (answers_->has_failures()) note_rest();  // who reads how far the run has come has to know of them
   if (run_->time() >= next_poses_) note_poses();
   if (run_->cycle() >= next_mark_) note_mark();
 }

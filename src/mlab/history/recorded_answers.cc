@@ -52,6 +52,12 @@ std::optional<std::string> what_is_wrong(const wire::HistoryEntry& entry, std::u
     if (one.failure().size() > kMostWords)
       return fmt::format("what is told of a program is longer than {} bytes", kMostWords);
   }
+  for (const wire::HistoryFailed& one : answers.failed()) {
+    if (one.before() >= entry.cycle()) return "a program failed before the first cycle";
+    if (one.failure().empty()) return "a program failed, and nothing says how";
+    if (one.failure().size() > kMostWords)
+      return fmt::format("what is told of a program is longer than {} bytes", kMostWords);
+  }
   return std::nullopt;
 }
 

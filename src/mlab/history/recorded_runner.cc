@@ -11,11 +11,6 @@ constexpr const char* kSilent = "gives no answer: only what it answered in the r
 
 }  // namespace
 
-std::optional<std::string> RecordedRunner::start(Member member) {
-  const std::string* const why = history_->why_not_started(cycle_(), members_[member].robot.value);
-  return why != nullptr ? std::optional(*why) : std::nullopt;
-}
-
 std::optional<std::string> RecordedRunner::refusal(Member member) const {
   const robot::RobotProgram& program = *members_[member].program;
   return program.is_closed() ? std::optional<std::string>(kKeptElsewhere) : std::nullopt;

@@ -23,13 +23,14 @@ class RecordedRunner final : public robot::ProgramRunner {
   /// @param history  may grow
   /// @param cycle    how many have run, the one that is being computed included
   RecordedRunner(std::shared_ptr<const History> history, std::function<std::uint64_t()> cycle)
-      : history_(std::move(history)), answers_(history_), cycle_(std::move(cycle)) {}
+      : answers_(std::move(history)), cycle_(std::move(cycle)) {}
 
   Member add(base::RobotId robot, const robot::RobotProgram& program) override {
     return members_.add({robot, &program});
   }
   void remove(Member member) override { members_.remove(member); }
-  std::optional<std::string> start(Member member) override;
+  /// Where it was not brought to life RecordedFailures knows of it.
+  std::optional<std::string> start(Member /*member*/) override { return std::nullopt; }
   /// What people did then has its effect in what was answered: all are taken.
   std::optional<std::string> set(Member /*member*/, std::string_view /*port*/,
                                  const std::string& /*value*/) override {
@@ -60,7 +61,6 @@ class RecordedRunner final : public robot::ProgramRunner {
   const RecordedAnswer* now(Member member) const;
   std::optional<std::string> refusal(Member member) const;
 
-  std::shared_ptr<const History> history_;
   mutable RecordedAnswers answers_;  // stands at the cycle that is asked for
   std::function<std::uint64_t()> cycle_;
   robot::Members<Robot> members_;

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/history/recorded_failures.h"
 #include "mlab/history/recorded_names.h"
 #include "mlab/history/recorded_runner.h"
 #include "mlab/history/wire.h"
@@ -85,7 +86,10 @@ run::RunSettings::Recorded Remaker::recorded() const {
   return {[history = all_](std::function<std::uint64_t()> cycle) {
             return std::make_unique<RecordedRunner>(history, std::move(cycle));
           },
-          history_.beginning().is_in_real_time()};
+          history_.beginning().is_in_real_time(),
+          [history = all_](std::function<std::uint64_t()> cycle) {
+            return std::make_unique<RecordedFailures>(history, std::move(cycle));
+          }};
 }
 
 void Remaker::take_up(const Remaker& from, std::shared_ptr<const run::Crew> crew, std::size_t inputs) {

@@ -21,6 +21,8 @@ struct RobotReport {
   std::uint32_t sequence = 0;  ///< of the order that `done` and `remaining` speak of
   bool done = false;
   double remaining = 0.0;  ///< [m]
+
+  friend bool operator==(const RobotReport&, const RobotReport&) = default;
 };
 
 namespace event {

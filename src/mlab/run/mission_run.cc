@@ -32,13 +32,15 @@ MissionRun::MissionRun(std::shared_ptr<const Crew> crew, RunSettings settings,
   const mission::Mission& plan = *now_.executive.mission;
   now_.dt = plan.options.cycle_duration.value_or(now_.dt);
   now_.metrics.resize(plan.units.size());
-  const auto recorded = [this] { return settings_.recorded.runner([this] { return now_.cycle; }); };
+  const auto cycle = [this] { return now_.cycle; };
+  const auto recorded = [&] { return settings_.recorded.runner(cycle); };
   std::unique_ptr<robot::ProgramRunner> elsewhere;
   if (settings_.robots_elsewhere) elsewhere = settings_.robots_elsewhere(settings_.seed, now_.dt);
   if (settings_.recorded.runner && settings_.recorded.is_of_all) elsewhere = recorded();
   fleet_ =
       std::make_unique<fleet::Fleet>(plan, crew->programs, crew->bodies, *binding_, settings_.seed,
                                      std::move(elsewhere), settings_.recorded.runner ? recorded() : nullptr);
+  if (settings_.recorded.failures) fleet_->set_known_failures(settings_.recorded.failures(cycle));
   now_.crews.push_back(std::move(crew));
 }
 
@@ -154,9 +156,11 @@ void MissionRun::look() {
   if (now_.cycle != 0 && now_.executive.paused) return;
   // Robots on other machines may be lost while no time passes; all others stand as they stood.
   if (now_.has_looked && !settings_.robots_elsewhere) return;
+  fleet_->report(seen_);
+  if (now_.has_looked && seen_ == report_.robots) return;
   now_.has_looked = true;
   report_.time = time();
-  fleet_->report(report_.robots);
+  std::swap(report_.robots, seen_);
   carry_out(report_);
 }
 

@@ -54,6 +54,8 @@ struct RunSettings {
     /// computed included; empty: there are none.
     std::function<std::unique_ptr<robot::ProgramRunner>(std::function<std::uint64_t()> cycle)> runner = {};
     bool is_of_all = false;  ///< all programs that can be elsewhere are among these
+    /// Likewise, makes what knows which programs failed; empty: they fail by themselves alone.
+    std::function<std::unique_ptr<fleet::KnownFailures>(std::function<std::uint64_t()> cycle)> failures = {};
   };
   Recorded recorded = {};
   std::shared_ptr<StopLine> stop_line = {};  ///< null: the emergency stop is this run's own
@@ -96,6 +98,8 @@ class MissionRun {
   void set_input_observer(InputObserver observer) { input_observer_ = std::move(observer); }
   /// As fleet::Fleet.
   void set_answer_witness(fleet::AnswerWitness* witness) { fleet_->set_witness(witness); }
+  /// What the settings know of failures has been computed: from now on programs fail by themselves alone.
+  void forget_known_failures() { fleet_->set_known_failures(nullptr); }
   /// Takes what came into another run of this mission. What was refused there is refused here.
   void take(const Input& input);
   /// Where the run stands.
@@ -253,6 +257,7 @@ class MissionRun {
   std::vector<binding::Heard> heard_;        // of this cycle
   std::vector<base::RobotId> teleoperated_;  // filled anew in each cycle
   mission::event::Cycle report_;             // filled anew for each
+  std::vector<mission::RobotReport> seen_;   // likewise, before anybody is told
 };
 
 }  // namespace mlab::run

@@ -75,6 +75,7 @@ ResumedRun resume_run(const journal::Kept& kept, const ResumeParts& parts,
     return out;
   }
   if (progress.has_looked() && run.cycle() == progress.cycle() && !run.moment().has_looked) run.look();
+  run.forget_known_failures();  // who could not be started then may be started now, in the same moment
   Log told;
   out.log->encode_since(progress.told(), told);
   out.told = {told.entries().begin(), told.entries().end()};

@@ -1,6 +1,10 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <future>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -9,6 +13,7 @@
 #include "mlab/console/testing/journalled_test.h"
 #include "mlab/history/recording_file.h"
 #include "mlab/history/shelf.h"
+#include "mlab/history/testing/losing_runner.h"
 
 namespace mlab::console {
 namespace {
@@ -69,6 +74,39 @@ TEST_F(ResumptionTest, BringsBackTheRunWithAllThatPeopleDid) {
   time = anna.status().time();
   EXPECT_EQ(anna.control(Control::RESUME), "");
   EXPECT_TRUE(anna.wait([&] { return anna.status().time() > time + 2.0; }));
+}
+
+TEST_F(ResumptionTest, KnowsWhichRobotsWereLost) {
+  const auto lives = [](TestSession& session) {
+    std::promise<std::vector<fleet::RobotLife>> out;
+    session->look_at_run([&](const run::MissionRun* run) {
+      std::vector<fleet::RobotLife> all;
+      for (const fleet::FleetRobot& robot : run->fleet().robots()) all.push_back(robot.life);
+      out.set_value(std::move(all));
+    });
+    return out.get_future().get();
+  };
+  std::vector<fleet::RobotLife> before;
+  {
+    TestSession session("", 20.0, [&](SessionSettings& s) {
+      begin(s);
+      s.run.robots_elsewhere = [](std::uint64_t seed, double) {
+        return std::make_unique<history::testing::LosingRunner>(
+            static_cast<std::uint32_t>(seed), history::testing::LosingRunner::Odds{0, 10, 1});
+      };
+    });
+    Browser anna(session, "Anna");
+    start(anna);
+    ASSERT_TRUE(anna.wait([&] { return anna.has_log("can't be reached: the agent on `south`"); }));
+    EXPECT_EQ(anna.control(Control::PAUSE), "");
+    before = lives(session);
+  }
+  ASSERT_EQ(std::ranges::count(before, fleet::RobotLife::kFaulted), 1);
+  TestSession session("", 1.0, [&](SessionSettings& s) { resume(s); });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(is_back(anna));
+  EXPECT_TRUE(anna.wait([&] { return anna.has_log("this run goes on being recorded in"); }));
+  EXPECT_EQ(lives(session), before);
 }
 
 TEST_F(ResumptionTest, IsOfferedToWhoComesWithoutAMission) {

@@ -13,9 +13,14 @@ double system_time() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+bool tells_failures(const wire::HistoryEntry& entry) {
+  return entry.answers().failed_size() > 0 || entry.answers().not_started_size() > 0;
+}
+
 // Nobody goes on with a run of which only is known what robots answered.
 bool is_kept(const wire::HistoryEntry& entry) {
-  return !entry.has_poses() && !entry.has_event() && !entry.has_end() && !entry.has_answers();
+  if (entry.has_answers()) return tells_failures(entry) && entry.answers().answers().empty();
+  return !entry.has_poses() && !entry.has_event() && !entry.has_end();
 }
 
 bool is_execute(const wire::HistoryEntry& entry) {
@@ -38,6 +43,8 @@ void RunJournal::hear(const wire::HistoryEntry& entry) {
   is_started_ = is_started_ || entry.input().has_posted();
   if (has_begun() && entry.has_input())
     write(is_execute(entry) ? journal::Reach::kMachine : journal::Reach::kProcess, true);
+  // Before the recording says that the run has come further.
+  if (has_begun() && entry.has_answers()) write(journal::Reach::kProcess, false);
 }
 
 void RunJournal::keep(journal::Reach reach) {

@@ -41,7 +41,8 @@ std::shared_ptr<const run::Crew> crew_of(const std::shared_ptr<const mission::Mi
 
 }  // namespace
 
-WrittenRun::WrittenRun(const std::string& file, std::uint64_t seed, bool proceeds, bool is_in_real_time)
+WrittenRun::WrittenRun(const std::string& file, std::uint64_t seed, bool proceeds, bool is_in_real_time,
+                       std::unique_ptr<robot::ProgramRunner> elsewhere)
     : path_(base::source_folder() + "/missions/" + file), writer_([this](const wire::HistoryEntry& entry) {
         entries_.push_back(entry);
         const auto problem = history_->add(entry);
@@ -54,6 +55,8 @@ WrittenRun::WrittenRun(const std::string& file, std::uint64_t seed, bool proceed
   settings.seed = seed;
   settings.executive.proceed_all = proceeds;
   settings.is_in_real_time = is_in_real_time;
+  if (elsewhere)
+    settings.robots_elsewhere = [&elsewhere](std::uint64_t, double) { return std::move(elsewhere); };
   run_ = simulated::make_run(crew, settings);
   run_->set_observer([this](const mission::Effect& effect) { writer_.see(effect); });
   writer_.begin(*run_, {"test", {}, 5, 0.0});

@@ -18,8 +18,10 @@ class WrittenRun {
   /// @param proceeds  each question is answered with yes at once
   /// @param is_in_real_time  what robots answer is written, as if they were elsewhere and nobody waited for
   /// them
+  /// @param elsewhere  runs all programs that can be elsewhere; null: they run here
   explicit WrittenRun(const std::string& file, std::uint64_t seed = 1, bool proceeds = false,
-                      bool is_in_real_time = false);
+                      bool is_in_real_time = false,
+                      std::unique_ptr<robot::ProgramRunner> elsewhere = nullptr);
 
   run::MissionRun& run() { return *run_; }
   /// One cycle. False where no time passed.

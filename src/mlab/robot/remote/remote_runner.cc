@@ -158,29 +158,33 @@ std::optional<std::string> RemoteRunner::change(Robot& robot, wire::Change::Kind
   return std::nullopt;
 }
 
+bool RemoteRunner::is_carried(const Robot& robot) {
+  return robot.carrier != nullptr && robot.carrier->agent->failure().empty();
+}
+
 std::optional<std::string> RemoteRunner::set(Member member, std::string_view port, const std::string& value) {
   Robot& robot = members_[member];
   // It keeps for every new start what was set.
   if (auto problem = robot.values.set(port, value)) return problem;
-  return robot.carrier == nullptr ? std::nullopt : change(robot, wire::Change::SET, port, value);
+  return is_carried(robot) ? change(robot, wire::Change::SET, port, value) : std::nullopt;
 }
 
 std::optional<std::string> RemoteRunner::force(Member member, std::string_view sequence,
                                                std::string_view state) {
   Robot& robot = members_[member];
-  if (robot.carrier == nullptr) return robot.values.force(sequence, state);
+  if (!is_carried(robot)) return robot.values.force(sequence, state);
   return change(robot, wire::Change::FORCE, sequence, state);
 }
 
 std::optional<std::string> RemoteRunner::hold(Member member, std::string_view port, std::string_view value) {
   Robot& robot = members_[member];
-  if (robot.carrier == nullptr) return robot.values.hold(port, value);
+  if (!is_carried(robot)) return robot.values.hold(port, value);
   return change(robot, wire::Change::HOLD, port, value);
 }
 
 std::optional<std::string> RemoteRunner::release(Member member, std::string_view port) {
   Robot& robot = members_[member];
-  if (robot.carrier == nullptr) return robot.values.release(port);
+  if (!is_carried(robot)) return robot.values.release(port);
   return change(robot, wire::Change::RELEASE, port, "");
 }
 

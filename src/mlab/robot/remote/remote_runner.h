@@ -99,6 +99,8 @@ class RemoteRunner : public robot::ProgramRunner {
   std::optional<std::string> put(Robot& robot, bool begins) const;
   std::optional<std::string> change(Robot& robot, wire::Change::Kind kind, std::string_view path,
                                     std::string_view value);
+  /// Its agent can be asked; if not, what people do counts at its next start.
+  static bool is_carried(const Robot& robot);
   const Robot& looked_at(Member member) const;
   void take_answer(Carrier& carrier, const wire::AgentActed& acted);
 
