@@ -166,6 +166,38 @@ TEST(NextErrand, GoesAlongThePieceOfASearch) {
   EXPECT_EQ(asked(p, Kind::kFinishTask).size(), 1U);
 }
 
+TEST(NextErrand, KeepsToTheLegsOfASearchRoundWhatNobodyKnewOf) {
+  Unit unit{.route = {{0, 0}, {0, 9}, {0, 9}, {60, 9}}, .task = Task::kSearch};
+  unit.add(0, ContractState::kDone, 1).add(1, ContractState::kAwarded, 2);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  struct Step {
+    geom::Point at;
+    double left;  // of the way to what it heads for
+    geom::Point goal;
+  };
+  const std::vector<Step> steps = {
+      {{0, 9}, 9.0, {0, 9}},
+      {{0, 9}, 0.1, {5, 9}},
+      {{2.4, 9}, 2.6, {5, 9}},
+      {{2.6, 9}, 2.4, {10, 9}},
+      {{12.5, 20}, 11.5, {17.5, 9}},                    // beside the leg, round something
+      {{13, 20}, schema::kClosedEnd + 0.1, {22.5, 9}},  // what stands at that place is left out
+      {{50, 9}, 5.0, {55, 9}},
+      {{53, 9}, 2.0, {60, 9}},
+      {{55, 9}, 5.0, {60, 9}},
+  };
+  for (const Step& step : steps) {
+    p.action = {};
+    p.percepts.pose.position = step.at;
+    p.set("left", step.left).step();
+    EXPECT_EQ(p.output<geom::Point>(), step.goal) << step.at.x;
+    EXPECT_TRUE(asked(p, Kind::kFinishTask).empty());
+  }
+  p.action = {};
+  p.set("left", 0.1).step();
+  EXPECT_EQ(asked(p, Kind::kFinishTask).size(), 1U);
+}
+
 TEST(NextErrand, TakesOnePieceAtATimeAndLeavesOthersTheirShares) {
   // Eight pieces, from one side to the other: two shares.
   Unit unit{.route = {}, .task = Task::kSearch};

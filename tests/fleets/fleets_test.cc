@@ -237,7 +237,7 @@ TEST_F(Fleets, AMachineThatComputesOtherwiseCarriesRobotsInRealTimeOnly) {
 
 TEST_F(Fleets, WithoutAnAgentTheMissionSaysWhatIsMissing) {
   make_network(13);
-  Process far = run(mission("patrol"));
+  Process far = run(mission("patrol"), {"--quiet"});
   const auto ending = far.wait(kFleetPatience);
   ASSERT_TRUE(ending);
   EXPECT_EQ(ending->words(), "exit status 1");

@@ -213,8 +213,8 @@ void MissionRun::answer_calls() {
   if (is_to_end) carry_out(mission::event::Abort{});
 }
 
-void MissionRun::tell_faults() {
-  const std::vector<base::RobotId> faults = fleet_->take_new_faults();
+std::vector<base::RobotId> MissionRun::tell_faults() {
+  std::vector<base::RobotId> faults = fleet_->take_new_faults();
   for (std::size_t i = 0; i < faults.size(); ++i) {
     const fleet::FleetRobot& robot = *fleet_->find(faults[i]);
     if (i == kMostMoved) {
@@ -223,6 +223,7 @@ void MissionRun::tell_faults() {
     }
     tell(Tell::Kind::kWarning, fmt::format("robot {} stands: {}", robot.id.value, failure_of(robot)));
   }
+  return faults;
 }
 
 MissionRun::Progress MissionRun::brake() {
@@ -349,11 +350,14 @@ void MissionRun::explain_failures(std::uint32_t command) {
   if (command >= now_.executive.commands.size() ||
       now_.executive.commands[command].outcome != mission::Outcome::kFailed)
     return;
+  // No cycle may follow that would tell them.
+  const std::vector<base::RobotId> told = tell_faults();
   constexpr int kMostRobots = 8;
   int said = 0;
   for (const base::RobotId id : commanded(command)) {
     const fleet::FleetRobot* robot = fleet_->find(id);
     if (robot == nullptr || robot->action.status.done || said >= kMostRobots) continue;
+    if (std::ranges::find(told, id) != told.end()) continue;
     ++said;
     for (std::string& line : explain(*robot)) tell(Tell::Kind::kMessage, std::move(line));
   }

@@ -243,7 +243,8 @@ class MissionRun {
   void tell(mission::effect::Tell::Kind kind, std::string text);
   void answer_calls();
   void tell_not_forced();
-  void tell_faults();
+  // @return  whose program has stopped since it was told last
+  std::vector<base::RobotId> tell_faults();
   // Whom a command of the history was for.
   std::vector<base::RobotId> commanded(std::uint32_t command) const;
   void explain_failures(std::uint32_t command);

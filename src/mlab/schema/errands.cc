@@ -224,6 +224,36 @@ void bid_for_pieces(const Percepts& percepts, const Errands& errands, const Erra
   if (best != nullptr) bid(*best, least, action);
 }
 
+/// A leg of a search is kept to, so that what nobody knew of makes a robot leave it only as long as it stands
+/// beside it, and not from where it is seen to the next corner: so far ahead it heads [m].
+constexpr double kAheadOnLeg = 5.0;
+
+/// Where to head for on the way to a corner of a search's piece.
+geom::Point on_leg(std::span<const geom::Point> way, const ErrandState& state) {
+  const geom::Point corner = way[state.leg];
+  if (state.leg == 0) return corner;
+  const geom::Point from = way[state.leg - 1];
+  const double length = geom::distance(from, corner);
+  return state.along < length ? from + (corner - from) * (state.along / length) : corner;
+}
+
+/// Heads farther along its leg where it has passed half of what was ahead, or can't come to that.
+/// @return  whether it did not head for the end of the leg before: what became of that is seen to then
+bool head_farther(std::span<const geom::Point> way, geom::Point here, LegWatch::Verdict verdict, double time,
+                  ErrandState& state, LegWatch& watch) {
+  if (state.leg == 0 || state.leg >= way.size()) return false;
+  const geom::Segment leg{way[state.leg - 1], way[state.leg]};
+  const double length = geom::distance(leg.a, leg.b);
+  if (state.along >= length) return false;
+  const double passed = geom::distance(leg.a, geom::nearest_point(leg, here));
+  if (verdict == LegWatch::Verdict::kUnderWay && passed < state.along - 0.5 * kAheadOnLeg) return true;
+  const double next = std::max(static_cast<double>(state.along), passed) + kAheadOnLeg;
+  // What is so near before the corner is no goal of its own.
+  state.along = static_cast<float>(next > length - 0.5 * kAheadOnLeg ? length + 1.0 : next);
+  watch.head_for_next(time);
+  return true;
+}
+
 // What comes of the part that this robot has next. @return where it is to go for that
 geom::Point go_on_with(const Errands& errands, std::size_t errand, const Contract& contract,
                        LegWatch::Verdict verdict, double time, geom::Point here, ErrandState& state,
@@ -235,11 +265,14 @@ geom::Point go_on_with(const Errands& errands, std::size_t errand, const Contrac
     watch.head_for_next(time);
     verdict = LegWatch::Verdict::kUnderWay;
   }
+  if (head_farther(way, here, verdict, time, state, watch)) verdict = LegWatch::Verdict::kUnderWay;
   // Of a piece that it has begun with it leaves out what it can't come to.
   const bool is_lost = verdict == LegWatch::Verdict::kInVain && state.leg == 0;
   if (verdict != LegWatch::Verdict::kUnderWay && !is_lost) {
     ++state.leg;
+    state.along = 0.0F;
     watch.head_for_next(time);
+    head_farther(way, here, LegWatch::Verdict::kUnderWay, time, state, watch);
   }
   if (is_lost) {
     state.given_back.add(errand);
@@ -249,7 +282,7 @@ geom::Point go_on_with(const Errands& errands, std::size_t errand, const Contrac
   } else if (contract.state == ContractState::kAwarded) {
     ask_once(action, about_task(Request::Kind::kStartTask, contract));
   }
-  return state.leg < way.size() ? way[state.leg] : here;
+  return state.leg < way.size() ? on_leg(way, state) : here;
 }
 
 }  // namespace
