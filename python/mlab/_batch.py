@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -175,15 +175,15 @@ def batch(
 
 
 def _texts(value: object, what: str) -> list[str]:
-    texts = [value] if isinstance(value, str) else value
-    if not isinstance(texts, (list, tuple)) or not all(isinstance(one, str) for one in texts):
+    texts = [value] if isinstance(value, str) else list(value) if isinstance(value, Iterable) else [value]
+    if not all(isinstance(one, str) for one in texts):
         raise TypeError(f"{what}: expected a text, or a list of texts, not {type(value).__name__}")
-    return list(texts)
+    return texts
 
 
 def _try_to_write(file: str) -> None:
     """Before the runs, which may take hours. What stands in the file is left alone."""
-    is_there = os.path.exists(file)
+    is_there = os.path.lexists(file)
     try:
         with open(file, "a", encoding="utf-8"):
             pass

@@ -99,7 +99,8 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->type_name("MISSION.mdl");
   c->add_flag("--headless", o.headless, "no console: print the steps as they happen");
   c->add_flag("--proceed", o.proceed, "answer every Proceed? with yes");
-  c->add_option("--speed", o.speed, "real, N times real time, or max (default: 10; headless: max)")
+  c->add_option("--speed", o.speed,
+                "real, N times real time from 0.1 to 1000, or max (default: 10; headless: max)")
       ->type_name("real|N|max");
   c->add_option("--seed", o.seed, "of everything random in the run")
       ->capture_default_str()

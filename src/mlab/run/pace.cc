@@ -22,8 +22,12 @@ double Pace::behind(double wall, double sim) const {
   return speed_ > 0.0 ? std::max(0.0, wall - due(sim)) : 0.0;
 }
 
-void Pace::forgive(double wall, double sim, double most) {
-  if (behind(wall, sim) > most) start(wall - most, sim);
+void Pace::forgive(double wall, double sim) {
+  if (behind(wall, sim) > kMostBehind) start(wall - kMostBehind, sim);
+}
+
+void Pace::forgive_all(double wall, double sim, double most) {
+  if (behind(wall, sim) > most) start(wall, sim);
 }
 
 }  // namespace mlab::run

@@ -24,8 +24,10 @@ class Pace {
   double due(double sim) const;
   /// How late that cycle is; 0 where it is not, or there is no wanted speed.
   double behind(double wall, double sim) const;
-  /// Forgets what is later than `most`.
-  void forgive(double wall, double sim, double most = kMostBehind);
+  /// Forgets what is more than kMostBehind late.
+  void forgive(double wall, double sim);
+  /// Forgets all of it where a cycle is later than `most`.
+  void forgive_all(double wall, double sim, double most);
 
  private:
   double speed_ = 1.0;

@@ -37,8 +37,10 @@ TEST(Pace, WhatItIsLateDoesNotPileUp) {
 TEST(Pace, NothingIsMadeUpForWhereNobodyCouldFollow) {
   Pace pace(1.0);
   pace.start(0.0, 0.0);
-  pace.forgive(2.3, 2.0, 0.1);
-  EXPECT_NEAR(pace.behind(2.3, 2.0), 0.1, 1e-12);
+  pace.forgive_all(2.05, 2.0, 0.1);
+  EXPECT_NEAR(pace.behind(2.05, 2.0), 0.05, 1e-12);
+  pace.forgive_all(2.3, 2.0, 0.1);
+  EXPECT_EQ(pace.behind(2.3, 2.0), 0.0);
 }
 
 TEST(Pace, ASmallDelayIsMadeUpFor) {

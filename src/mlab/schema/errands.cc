@@ -247,9 +247,11 @@ bool head_farther(std::span<const geom::Point> way, geom::Point here, LegWatch::
   if (state.along >= length) return false;
   const double passed = geom::distance(leg.a, geom::nearest_point(leg, here));
   if (verdict == LegWatch::Verdict::kUnderWay && passed < state.along - 0.5 * kAheadOnLeg) return true;
-  const double next = std::max(static_cast<double>(state.along), passed) + kAheadOnLeg;
-  // What is so near before the corner is no goal of its own.
-  state.along = static_cast<float>(next > length - 0.5 * kAheadOnLeg ? length + 1.0 : next);
+  const double next = std::max(state.along, passed) + kAheadOnLeg;
+  // What is so near before the corner is no goal of its own; nor is what comes after two places that it could
+  // not come to, since it would wait at each of them.
+  const bool is_stuck = verdict == LegWatch::Verdict::kInVain && passed < state.along - 1.5 * kAheadOnLeg;
+  state.along = is_stuck || next > length - 0.5 * kAheadOnLeg ? length : next;
   watch.head_for_next(time);
   return true;
 }
@@ -270,7 +272,7 @@ geom::Point go_on_with(const Errands& errands, std::size_t errand, const Contrac
   const bool is_lost = verdict == LegWatch::Verdict::kInVain && state.leg == 0;
   if (verdict != LegWatch::Verdict::kUnderWay && !is_lost) {
     ++state.leg;
-    state.along = 0.0F;
+    state.along = 0.0;
     watch.head_for_next(time);
     head_farther(way, here, LegWatch::Verdict::kUnderWay, time, state, watch);
   }

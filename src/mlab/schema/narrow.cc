@@ -9,12 +9,11 @@ namespace {
 
 using geom::Offset;
 
-constexpr double kBackwards = 0.4;   // of the wanted speed
-constexpr double kAside = 0.5;       // likewise
-constexpr double kMoves = 0.1;       // [m/s]
-constexpr double kLooksBack = -0.3;  // cosine of the angle
-constexpr double kAhead = 15.0;      // so far ahead somebody counts who comes [m]
-constexpr double kWallGap = 0.05;    // [m]
+constexpr double kBackwards = 0.4;  // of the wanted speed
+constexpr double kAside = 0.5;      // likewise
+constexpr double kMoves = 0.1;      // [m/s]
+constexpr double kAhead = 15.0;     // so far ahead somebody counts who comes [m]
+constexpr double kWallGap = 0.05;   // [m]
 
 /// As seen along the way.
 struct Seen {
@@ -26,9 +25,10 @@ Seen seen_along(const Neighbour& other, Offset along) {
   return {dot(other.place, along), dot(other.place, right), dot(other.velocity, along)};
 }
 
-bool comes(const Neighbour& other, const Seen& seen, Offset along) {
-  if (std::abs(seen.speed) > kMoves) return seen.speed < 0.0;
-  return !other.is_mate && dot(other.looks, along) < kLooksBack;
+/// Who stands is none who comes: StandOff is for him, and has an end.
+bool comes(const Seen& seen, const SideRoom& room) {
+  return seen.ahead > 0.0 && seen.ahead < kAhead && seen.speed < -kMoves &&
+         std::abs(seen.right) < std::max(seen.ahead, room.left + room.right);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ WayMade make_way(Offset wanted, double radius, double gap, const SideRoom& room,
   for (const Neighbour& other : others) {
     const Seen seen = seen_along(other, along);
     const double bodies = radius + other.radius;
-    if (seen.ahead > 0.0 && seen.ahead < kAhead && comes(other, seen, along)) {
+    if (comes(seen, room)) {
       is_met = true;
       const double left_over = room.left + room.right - 2.0 * bodies - 4.0 * kWallGap;
       gives_way = gives_way || (left_over < kLeastGap * gap && (other.is_mate || other.goes_first));

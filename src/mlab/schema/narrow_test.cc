@@ -44,6 +44,17 @@ TEST(MakeWay, ChangesNothingWhereNobodyComes) {
   EXPECT_EQ(out.gap, kGap);
 }
 
+TEST(MakeWay, ChangesNothingForWhoStandsOrIsFarAside) {
+  Neighbour other = coming();
+  other.goes_first = true;
+  other.velocity = {};
+  EXPECT_EQ(made({0.4, 0.4}, {other}).wanted, (Offset{4.0, 0.0}));
+  other = coming();
+  other.goes_first = true;
+  other.place.y = 2.0 * other.place.x;
+  EXPECT_EQ(made({0.4, 0.4}, {other}).wanted, (Offset{4.0, 0.0}));
+}
+
 TEST(MakeWay, KeepsToTheRightOfWhoComes) {
   const WayMade out = made({0.7, 0.8}, {coming()});
   EXPECT_EQ(out.wanted.x, 4.0);

@@ -133,6 +133,10 @@ TEST(WhatBlocks, IsTheGapWhereTheLineLeadsThroughOne) {
   known.revision = next_revision();
   EXPECT_EQ(what_blocks(known.ground(), {80.0, 150.0}, {150.0, 150.0}),
             "a gap of 0.5 m at (100.0, 150.0), which is too narrow,");
+  known.walls.back() = {{110.0, 150.25}, {110.0, 200.0}};
+  known.revision = next_revision();
+  EXPECT_EQ(what_blocks(known.ground(), {80.0, 150.0}, {150.0, 150.0}), "what stands around it")
+      << "these don't face each other";
   known.walls.clear();
   EXPECT_EQ(what_blocks(known.ground(), {80.0, 150.0}, {150.0, 150.0}), "what stands around it");
 }

@@ -34,7 +34,8 @@ std::optional<std::string> gap_on(const percept::KnownGround& ground, geom::Segm
   }
   constexpr double kGap = 20.0;  // [m]
   const double width = distance(left.place, right.place);
-  if (!(left.away + right.away < kGap && width < kGap)) return std::nullopt;
+  // Things that don't face each other are no gap.
+  if (!(width < kGap && width < 1.5 * (left.away + right.away))) return std::nullopt;
   const geom::Point middle = left.place + (right.place - left.place) * 0.5;
   return fmt::format("a gap of {:.2g} m at ({:.1f}, {:.1f}), which is too narrow,", width, middle.x,
                      middle.y);

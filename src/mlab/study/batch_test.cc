@@ -208,7 +208,7 @@ TEST(Batch, ComparesTwoVersionsInPairs) {
 }
 
 TEST(Tables, QuoteWhatNeedsIt) {
-  Made made({{"runs", "2"}, {"set", "formation_spacing=5"}, {"success", "outcome == none"}});
+  Made made({{"runs", "2"}, {"set", "formation_spacing=5"}, {"success", "outcome == aborted"}});
   made.definition.dimensions[0].name.text = "a \"b\", c";
   Row row;
   row.outcome = "failed";

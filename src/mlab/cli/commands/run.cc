@@ -192,7 +192,10 @@ class SharedStop {
 void wait_for_cycle(run::Pace& pace, const run::MissionRun& run) {
   const double now = steady_seconds();
   // Robots that nobody waits for could not follow cycles that are made up for.
-  pace.forgive(now, run.time(), run.is_in_real_time() ? run.cycle_duration() : run::Pace::kMostBehind);
+  if (run.is_in_real_time())
+    pace.forgive_all(now, run.time(), run.cycle_duration());
+  else
+    pace.forgive(now, run.time());
   if (const double ahead = pace.due(run.time()) - now; ahead > 0.0) pass_time(ahead);
 }
 

@@ -68,6 +68,8 @@ class Columns {
       }
     }
   }
+  /// Programs of a run that goes now; their columns stay.
+  void forget_programs() { sources_.clear(); }
   const std::vector<std::string>& names() const { return names_; }
   /// Of the options' patterns, in their order.
   std::vector<std::string> patterns_of_nothing() const {
@@ -178,6 +180,7 @@ bool find_later_robots(const RecordedRun& recorded, const TraceOptions& options,
   while (!missing.empty() && !was_interrupted() && replay->step())
     missing = missing_robots(replay->run(), options);
   add_all(replay->run(), options, columns);
+  columns.forget_programs();
   if (missing.empty()) return true;
   if (!was_interrupted())
     fmt::print(stderr, "mlab trace: --robot {}: there is no such robot in the whole run\n", missing.front());
@@ -239,7 +242,7 @@ int trace(const TraceOptions& options) {
   }
   run::MissionRun& run = recorded.replay->run();
   Columns columns(options);
-  if (!find_columns(recorded, options, columns)) return kBadInput;
+  if (!find_columns(recorded, options, columns)) return was_interrupted() ? kFailed : kBadInput;
   fmt::print("cycle,time,robot,x,y,heading");
   for (const std::string& name : columns.names()) fmt::print(",{}", text::csv_field(name));
   fmt::print("\n");

@@ -104,8 +104,9 @@ void compare(const std::string& mission, const std::string& text, const Breakpoi
     if (!found) continue;
     ++met;
     EXPECT_EQ(found->text, halted.hits(0).text());
-    if (same.has_transition())
+    if (same.has_transition()) {
       EXPECT_TRUE(Condition::parse(found->text)) << "what is told can be looked for: " << found->text;
+    }
   }
   EXPECT_GT(met, 0);
 }

@@ -268,7 +268,11 @@ std::optional<std::string> PastRun::find(const FindMoments& asked, Found& out) {
   const std::uint64_t from = cycle_at(std::max(0.0, asked.from()));
   const std::size_t most = asked.most() == 0 ? kUsualFound : std::min<std::size_t>(asked.most(), kMostFound);
   if (auto problem = go_to(from)) return problem;
-  if (auto why = condition->why_never(timeline_->run())) return why;
+  // What is missing at one moment may come with a typed order or an edit.
+  const bool may_change = std::ranges::any_of(history_->inputs(), [](const history::InputEntry& one) {
+    return one.input.has_exchanged() || one.input.posted().kind() == wire::HistoryPosted::TYPED;
+  });
+  if (auto why = condition->why_never(timeline_->run()); why && !may_change) return why;
   return asked.backwards() ? find_back(*condition, from, most, out) : find_ahead(*condition, from, most, out);
 }
 
@@ -284,10 +288,22 @@ void add_found(const run::MissionRun& run, Condition::Met met, Found& out) {
 
 }  // namespace
 
+// What is true already does not become so; and which state a transition was from is seen in the cycle before.
+std::optional<std::string> PastRun::begin_to_look(Condition& condition, std::uint64_t cycle) {
+  condition.forget();
+  if (cycle > 0) {
+    if (auto problem = timeline_->go_to(cycle - 1)) return problem;
+    condition.look(timeline_->run());
+  }
+  if (auto problem = timeline_->go_to(cycle)) return problem;
+  condition.look(timeline_->run());
+  return std::nullopt;
+}
+
 std::optional<std::string> PastRun::find_ahead(Condition& condition, std::uint64_t from, std::size_t most,
                                                Found& out) {
   const double deadline = wall_time() + kPiece;
-  condition.look(timeline_->run());  // what is true already does not become so
+  if (auto problem = begin_to_look(condition, from)) return problem;
   std::uint64_t cycle = from;
   while (cycle < history_->last_cycle() && static_cast<std::size_t>(out.moments_size()) < most &&
          wall_time() < deadline) {
@@ -307,9 +323,7 @@ std::optional<std::string> PastRun::find_back(Condition& condition, std::uint64_
   while (last > 0 && static_cast<std::size_t>(out.moments_size()) < most && wall_time() < deadline) {
     const std::uint64_t before = last > kBackwards ? last - kBackwards : 0;
     Found stretch;
-    if (auto problem = timeline_->go_to(before)) return problem;
-    condition.forget();
-    condition.look(timeline_->run());
+    if (auto problem = begin_to_look(condition, before)) return problem;
     for (std::uint64_t cycle = before + 1; cycle <= last; ++cycle) {
       if (auto problem = timeline_->go_to(cycle)) return problem;
       if (auto met = condition.look(timeline_->run())) add_found(timeline_->run(), std::move(*met), stretch);

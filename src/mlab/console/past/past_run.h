@@ -115,6 +115,7 @@ class PastRun {
   void fill(const Watch& watch, const TransitionRecorder& transitions, Frame& out);
   void add_survey(const ReadPast& asked);
   double time_of(std::uint64_t cycle) const;
+  std::optional<std::string> begin_to_look(Condition& condition, std::uint64_t cycle);
   std::optional<std::string> find_ahead(Condition& condition, std::uint64_t from, std::size_t most,
                                         Found& out);
   std::optional<std::string> find_back(Condition& condition, std::uint64_t from, std::size_t most,

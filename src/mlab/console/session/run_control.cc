@@ -182,6 +182,8 @@ void RunControl::advance() {
   }
   const double began = wall_time();
   if (!std::exchange(time_runs_, true)) pace_.start(began, sim_time());
+  // Robots that nobody waits for could not follow cycles that are made up for.
+  if (live_->run().is_in_real_time()) pace_.forgive_all(began, sim_time(), live_->run().cycle_duration());
   double wall = began;
   while (wall - began < kSlice && pace_.due(sim_time()) <= wall) {
     heed_stop();
@@ -194,9 +196,7 @@ void RunControl::advance() {
     if (!is_active()) break;
   }
   meter_.note(wall, sim_time());
-  // Robots that nobody waits for could not follow cycles that are made up for.
-  const run::MissionRun& run = live_->run();
-  pace_.forgive(wall, sim_time(), run.is_in_real_time() ? run.cycle_duration() : run::Pace::kMostBehind);
+  pace_.forgive(wall, sim_time());
 }
 
 bool RunControl::step_once() {

@@ -199,8 +199,7 @@ class PlanCheck {
     } else if (c.task != Task::kTeleoperate) {
       const RobotState& first = state(robots_of(c).front());
       formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
-      if (first.has_place &&
-          !ways_.check(c, first.place, largest_radius(c), least_margin(c), success_radius(c)))
+      if (first.has_place && !ways_.check(c, first.place, most_room(c), success_radius(c)))
         return;  // it stays there
     }
     for (const base::RobotId id : robots_of(c)) {
@@ -215,7 +214,7 @@ class PlanCheck {
     const base::RobotId first = robots_of(c).front();
     if (state(first).has_place) {
       one_by_one(c, [&](const UnitCommand& one) {
-        ways_.check(one, state(first).place, body_radius(first), least_margin(c), success_radius(c));
+        ways_.check(one, state(first).place, room_of(first), success_radius(c));
       });
     }
     for (const base::RobotId id : robots_of(c)) state(id).has_place = false;
@@ -325,23 +324,25 @@ class PlanCheck {
                                      kDefaultSuccessRadius);
   }
 
-  // Who needs most room: where he can't come to, the unit does not arrive.
-  double largest_radius(const UnitCommand& c) {
-    double out = 0.0;
+  // Of who needs most: where he can't come to, the unit does not arrive.
+  WayCheck::Room most_room(const UnitCommand& c) {
+    WayCheck::Room out;
     for (const base::RobotId id : robots_of(c)) {
-      if (visits_++ < kMaxRobotVisits) out = std::max(out, body_radius(id));
+      if (visits_++ >= kMaxRobotVisits) break;
+      const WayCheck::Room room = room_of(id);
+      if (room.half() > out.half()) out = room;
     }
     return out;
   }
 
   // What robots that plan their ways keep from things where there is least room; others may touch them.
-  double least_margin(const UnitCommand& c) const {
-    const mission::RobotType& type =
-        mission_.types[mission_.robots[index_of_.at(robots_of(c).front().value)].type];
-    if (!formations_.plans_ways(type)) return 0.0;
+  WayCheck::Room room_of(base::RobotId id) const {
+    const mission::RobotType& type = mission_.types[mission_.robots[index_of_.at(id.value)].type];
+    const double radius = body_radius(id);
+    if (!formations_.plans_ways(type)) return {radius, 0.0};
     const double margin =
         mission::number_parameter(type, "avoid_obstacle_safety_margin", mission::kDefaultMargin);
-    return ways::Clearances(0.0, std::max(margin, 0.0)).least();
+    return {radius, ways::Clearances(0.0, std::max(margin, 0.0)).least()};
   }
 
   double body_radius(base::RobotId id) const {

@@ -79,16 +79,15 @@ std::optional<ways::Planner::NoWay> WayCheck::no_way(ways::Planner& planner, geo
   return way.error();
 }
 
-bool WayCheck::check(const mission::UnitCommand& command, geom::Point from, double radius, double margin,
-                     double success) {
+bool WayCheck::check(const mission::UnitCommand& command, geom::Point from, Room room, double success) {
   const geom::Point goal = mission::goal_of(command);
   if (ground_.discs.size() > kMostThings || ground_.walls.size() > kMostThings) return true;
   if (ground_.discs.empty() && ground_.walls.empty()) return true;
   if (!ground_.bounds.contains(from) || !ground_.bounds.contains(goal)) return true;
-  if (distance(from, goal) <= success || !(radius > kThin)) return true;
+  if (distance(from, goal) <= success || !(room.radius > kThin)) return true;
   if (!has_effort_left()) return true;
-  const auto none = no_way(planner(radius + margin), from, goal, success);
-  if (none) warn(command, from, radius, margin, success, none->nearest);
+  const auto none = no_way(planner(room.half()), from, goal, success);
+  if (none) warn(command, from, room, success, none->nearest);
   return !none;
 }
 
@@ -102,8 +101,8 @@ void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const 
   if (place.source) warning.notes.push_back({"this wall is in the way", place});
 }
 
-void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, double radius, double margin,
-                    double success, geom::Point nearest) {
+void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, Room room, double success,
+                    geom::Point nearest) {
   const geom::Point goal = mission::goal_of(command);
   const std::string where =
       fmt::format("no way leads to {} from {:g} {:g}, where {} is by then", in_backticks(command.place_name),
@@ -111,7 +110,7 @@ void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, doubl
   // The widest gap that there is, if any: too narrow for the body, wide enough for the thin one.
   if (!no_way(planner(kThin), from, goal, success)) {
     double passes = kThin;
-    double stuck = radius + margin;
+    double stuck = room.half();
     for (int i = 0; i < 10 && has_effort_left(); ++i) {
       const double half = 0.5 * (passes + stuck);
       ways::Planner tried(ground_, half);
@@ -119,20 +118,21 @@ void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, doubl
       (no_way(tried, from, goal, success) ? stuck : passes) = half;
     }
     const std::string body =
-        passes < radius ? fmt::format("the body {:g} m", 2.0 * radius)
-                        : fmt::format("the body of {:g} m wants {:g} m to either side", 2.0 * radius, margin);
+        passes < room.radius
+            ? fmt::format("the body {:g} m", 2.0 * room.radius)
+            : fmt::format("the body of {:g} m wants {:g} m to either side", 2.0 * room.radius, room.margin);
     diagnostics_.warning(
         "no-way", command.goal_place,
         has_effort_left()
             ? fmt::format("{}: the widest gap is {:.2f} m wide, and {}", where, 2.0 * passes, body)
-            : fmt::format("{}: all gaps are too narrow for a body of {:g} m", where, 2.0 * radius));
+            : fmt::format("{}: all gaps are too narrow for a body of {:g} m", where, 2.0 * room.radius));
     return;
   }
   auto& warning =
       diagnostics_.warning("no-way", command.goal_place,
                            fmt::format("{}: it is closed off, and the robots come no nearer than {:.0f} m",
                                        where, distance(nearest, goal)));
-  if (const auto thing = planner(radius + margin).clearing().first_hit({nearest, goal}))
+  if (const auto thing = planner(room.half()).clearing().first_hit({nearest, goal}))
     note_thing(*thing, warning);
 }
 

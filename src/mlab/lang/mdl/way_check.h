@@ -22,21 +22,24 @@ class WayCheck {
   /// Both outlive this.
   WayCheck(const mission::Mission& mission, text::Diagnostics& diagnostics);
 
+  /// What a body takes up to either side of its way [m].
+  struct Room {
+    double radius = 0.0;
+    double margin = 0.0;  ///< that it keeps from what stands there where there is least room
+    double half() const { return radius + margin; }
+  };
   /// @param from     where it is [m, world]
-  /// @param radius   of its bodies [m]
-  /// @param margin   that they keep from what stands there where there is least room [m]
   /// @param success  who is so near to the goal is there [m]
   /// @return  false: no way leads there
-  bool check(const mission::UnitCommand& command, geom::Point from, double radius, double margin,
-             double success);
+  bool check(const mission::UnitCommand& command, geom::Point from, Room room, double success);
 
  private:
   ways::Planner& planner(double clearance);
   bool has_effort_left() const;
   std::optional<ways::Planner::NoWay> no_way(ways::Planner& planner, geom::Point from, geom::Point goal,
                                              double success);
-  void warn(const mission::UnitCommand& command, geom::Point from, double radius, double margin,
-            double success, geom::Point nearest);
+  void warn(const mission::UnitCommand& command, geom::Point from, Room room, double success,
+            geom::Point nearest);
   void note_thing(std::uint32_t thing, text::Diagnostic& warning) const;
 
   const mission::Mission& mission_;
