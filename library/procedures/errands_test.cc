@@ -156,6 +156,7 @@ TEST(NextErrand, GoesAlongThePieceOfASearch) {
   const std::vector<geom::Point> legs = {{0, 9}, {20, 9}, {20, 0}};
   for (const geom::Point leg : legs) {
     p.action = {};
+    p.percepts.pose.position = leg;
     p.set("left", 9.0);
     p.step();
     p.step();
@@ -177,14 +178,17 @@ TEST(NextErrand, KeepsToTheLegsOfASearchRoundWhatNobodyKnewOf) {
   };
   const std::vector<Step> steps = {
       {{0, 9}, 9.0, {0, 9}},
-      {{0, 9}, 0.1, {5, 9}},
-      {{2.4, 9}, 2.6, {5, 9}},
-      {{2.6, 9}, 2.4, {10, 9}},
-      {{12.5, 20}, 11.5, {17.5, 9}},                    // beside the leg, round something
-      {{13, 20}, schema::kClosedEnd + 0.1, {22.5, 9}},  // what stands at that place is left out
-      {{50, 9}, 5.0, {55, 9}},
-      {{53, 9}, 2.0, {60, 9}},
-      {{55, 9}, 5.0, {60, 9}},
+      {{0, 9}, 0.1, {60, 9}},
+      {{3, 9.4}, 57.0, {60, 9}},
+      {{12.5, 9.6}, 47.0, {17.5, 9}},  // it has left the leg, round something
+      {{14.9, 12}, 4.0, {17.5, 9}},
+      {{15.1, 12}, 4.0, {22.5, 9}},
+      {{20.1, 9.4}, 2.0, {60, 9}},  // it is back
+      {{24, 9.6}, 36.0, {29, 9}},
+      {{24, 12}, schema::kClosedEnd + 0.1, {34, 9}},  // what stands at that place is left out
+      {{24, 12}, schema::kClosedEnd + 0.1, {60, 9}},  // nor can it come to the next one
+      {{24, 12}, 36.0, {60, 9}},
+      {{59, 10}, 5.0, {60, 9}},
   };
   for (const Step& step : steps) {
     p.action = {};

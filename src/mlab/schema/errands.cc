@@ -224,36 +224,45 @@ void bid_for_pieces(const Percepts& percepts, const Errands& errands, const Erra
   if (best != nullptr) bid(*best, least, action);
 }
 
-/// A leg of a search is kept to, so that what nobody knew of makes a robot leave it only as long as it stands
-/// beside it, and not from where it is seen to the next corner: so far ahead it heads [m].
+/// Who has left a leg of a search comes back to it so far ahead [m], not at the next corner: so what nobody
+/// knew of makes a robot leave a leg only as long as it stands beside it.
 constexpr double kAheadOnLeg = 5.0;
+/// Who is farther from it has left it [m].
+constexpr double kOffLeg = 0.5;
 
 /// Where to head for on the way to a corner of a search's piece.
 geom::Point on_leg(std::span<const geom::Point> way, const ErrandState& state) {
   const geom::Point corner = way[state.leg];
-  if (state.leg == 0) return corner;
+  if (!state.comes_back) return corner;
   const geom::Point from = way[state.leg - 1];
-  const double length = geom::distance(from, corner);
-  return state.along < length ? from + (corner - from) * (state.along / length) : corner;
+  return from + (corner - from) * (state.along / geom::distance(from, corner));
 }
 
-/// Heads farther along its leg where it has passed half of what was ahead, or can't come to that.
-/// @return  whether it did not head for the end of the leg before: what became of that is seen to then
-bool head_farther(std::span<const geom::Point> way, geom::Point here, LegWatch::Verdict verdict, double time,
-                  ErrandState& state, LegWatch& watch) {
+/// Who has left its leg heads for a place on it, and for a later one when it has passed half of what was
+/// ahead, or can't come to that; else for the corner. No place is tried twice.
+/// @return  whether it did not head for the corner before: what became of that is seen to then
+bool come_back_to_leg(std::span<const geom::Point> way, geom::Point here, LegWatch::Verdict verdict,
+                      double time, ErrandState& state, LegWatch& watch) {
   if (state.leg == 0 || state.leg >= way.size()) return false;
   const geom::Segment leg{way[state.leg - 1], way[state.leg]};
+  const geom::Point nearest = geom::nearest_point(leg, here);
+  const double passed = geom::distance(leg.a, nearest);
+  const bool is_under_way = verdict == LegWatch::Verdict::kUnderWay;
+  const bool is_in_vain = verdict == LegWatch::Verdict::kInVain;
+  const bool is_on_leg = geom::distance(here, nearest) < kOffLeg;
+  const bool came_back = state.comes_back;
+  if (came_back && is_under_way && passed < state.along - 0.5 * kAheadOnLeg) return true;
+  if (!came_back && (!is_under_way || is_on_leg)) return false;
   const double length = geom::distance(leg.a, leg.b);
-  if (state.along >= length) return false;
-  const double passed = geom::distance(leg.a, geom::nearest_point(leg, here));
-  if (verdict == LegWatch::Verdict::kUnderWay && passed < state.along - 0.5 * kAheadOnLeg) return true;
   const double next = std::max(state.along, passed) + kAheadOnLeg;
-  // What is so near before the corner is no goal of its own; nor is what comes after two places that it could
-  // not come to, since it would wait at each of them.
-  const bool is_stuck = verdict == LegWatch::Verdict::kInVain && passed < state.along - 1.5 * kAheadOnLeg;
-  state.along = is_stuck || next > length - 0.5 * kAheadOnLeg ? length : next;
-  watch.head_for_next(time);
-  return true;
+  // Where it could come to none of two places it tries no third: it would wait at each of them.
+  const bool is_stuck = is_in_vain && passed < state.along - 1.5 * kAheadOnLeg;
+  const bool is_at_corner = is_stuck || next > length - 0.5 * kAheadOnLeg;
+  state.comes_back = !is_at_corner && !(is_on_leg && !is_in_vain);
+  if (is_at_corner) state.along = length;
+  if (state.comes_back) state.along = next;
+  if (came_back || state.comes_back) watch.head_for_next(time);
+  return came_back;
 }
 
 // What comes of the part that this robot has next. @return where it is to go for that
@@ -264,17 +273,19 @@ geom::Point go_on_with(const Errands& errands, std::size_t errand, const Contrac
   if (state.current != static_cast<std::int32_t>(errand)) {
     state.current = static_cast<std::int32_t>(errand);
     state.leg = 0;
+    state.along = 0.0;
+    state.comes_back = false;
     watch.head_for_next(time);
     verdict = LegWatch::Verdict::kUnderWay;
   }
-  if (head_farther(way, here, verdict, time, state, watch)) verdict = LegWatch::Verdict::kUnderWay;
+  if (come_back_to_leg(way, here, verdict, time, state, watch)) verdict = LegWatch::Verdict::kUnderWay;
   // Of a piece that it has begun with it leaves out what it can't come to.
   const bool is_lost = verdict == LegWatch::Verdict::kInVain && state.leg == 0;
   if (verdict != LegWatch::Verdict::kUnderWay && !is_lost) {
     ++state.leg;
     state.along = 0.0;
+    state.comes_back = false;
     watch.head_for_next(time);
-    head_farther(way, here, LegWatch::Verdict::kUnderWay, time, state, watch);
   }
   if (is_lost) {
     state.given_back.add(errand);

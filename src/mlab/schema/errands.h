@@ -95,7 +95,8 @@ class LegWatch {
 struct ErrandState {
   std::int32_t current = -1;  ///< -1: none
   std::uint32_t leg = 0;      ///< of that part's way
-  double along = 0.0;         ///< the leg, as far as it heads now [m]
+  double along = 0.0;         ///< the leg, so far it has tried to come back to it [m]
+  bool comes_back = false;    ///< it heads for that place, not for the corner
   ErrandSet given_back;       ///< it does not bid for them again
 };
 /// Where a robot is to go next that shares a VISIT or a SEARCH. Announces the parts that nobody has
