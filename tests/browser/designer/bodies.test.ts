@@ -92,7 +92,7 @@ test("a robot with body and devices, and a society of two teams, without a word 
   await palette.getByRole("button", { name: /^sense_robots/ }).click();
   const list = page.getByRole("combobox", { name: "What serves sense_robots?" });
   await list.fill("detect obstacles");
-  await page.getByRole("option", { name: /it takes Robots, and this is Obstacles/ }).waitFor();
+  await page.getByRole("option", { name: /it takes a list of robots, and this is a list of obstacles/ }).waitFor();
   await chooseFrom(designer, "What serves sense_robots?", "detect robots");
   await designer.node("robots").waitFor();
   await expect.poll(() => field(designer, "Name").inputValue()).toBe("robots");
