@@ -127,12 +127,12 @@ TEST_F(Resumed, ARunEndsAsIfNobodyHadKilledIt) {
   }
   EXPECT_TRUE(files(".journal").empty()) << "there is nothing to go on with";
   {
-    Server server(with({"short.mdl", "--speed", "20"}));
+    Server server(with({"short.mdl", "--speed", "10"}));
     ASSERT_NE(server.port(), 0) << server.printed();
     Operator anna(server);
     ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; }));
     ASSERT_TRUE(anna.control(Control::EXECUTE));
-    ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 15.0; }));
+    ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 25.0; }));
     server.kill();
   }
   {
