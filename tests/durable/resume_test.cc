@@ -353,7 +353,7 @@ TEST_F(Kills, NothingAcknowledgedAsSavedIsLostWhereFilesMustNotGrow) {
 
 TEST_F(Kills, NothingAcknowledgedAsSavedIsLostOnAFullDisk) {
   const std::string state = (folder_ / "state").string();
-  if (!get_small_disk(state, 64 * 1024)) GTEST_SKIP() << "no file system can be mounted here";
+  if (!get_small_disk(state, 65'536)) GTEST_SKIP() << "no file system can be mounted here";
   const CrowdedDisk disk(state);
   // Of three times full to the brim, nearly full, or with room for all.
   const auto crowd = [&] {

@@ -165,7 +165,8 @@ std::vector<std::uint32_t> missing_robots(const run::MissionRun& run, const Trac
 
 void add_all(const run::MissionRun& run, const TraceOptions& options, Columns& columns) {
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
-    if (is_wanted(robot, options)) columns.add(*robot.workings().program, true);
+    const robot::Workings workings = robot.workings();
+    if (workings.program != nullptr && is_wanted(robot, options)) columns.add(*workings.program, true);
   }
 }
 
