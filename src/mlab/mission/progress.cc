@@ -166,17 +166,11 @@ bool needs_patience(const Run& run) {
   return run.phase == Run::Phase::kRobots && run.missing > 0 && !run.ends && !holds_at_line(run);
 }
 
-// Beyond the edge of the mission area, which holds who is within it.
-bool is_outside(const State& state, geom::Point place) {
-  const overlay::Area area = state.mission->overlay.mission_area();
-  return place.x < 0.0 || place.y < 0.0 || place.x > area.width || place.y > area.height;
-}
-
 // Whether nobody can be at the place of a RALLY, since something that the map shows stands there, or the area
 // ends before.
 bool is_taken(const State& state, const Run& run) {
   const geom::Point place = run.command->goal;
-  return is_outside(state, place) ||
+  return !state.mission->overlay.mission_area().contains(place) ||
          std::ranges::any_of(known_things(state.mission->overlay).discs, [&](const ways::Round& disc) {
            return distance(disc.center, place) < disc.radius;
          });
@@ -202,9 +196,11 @@ void settle_rallies(Turn& turn, std::span<const RobotReport> reports) {
         std::ranges::count_if(reports, [&](const RobotReport& report) { return is_beside(report, i); });
     if (static_cast<std::uint32_t>(beside) < run.missing || !is_taken(s, run)) continue;
     message(turn,
-            fmt::format(
-                "{}: {} the place; its robots are as near to it as they come", s.commands[run.record].text,
-                is_outside(s, run.command->goal) ? "the mission area ends before" : "something stands at"),
+            fmt::format("{}: {} the place; its robots are as near to it as they come",
+                        s.commands[run.record].text,
+                        s.mission->overlay.mission_area().contains(run.command->goal)
+                            ? "something stands at"
+                            : "the mission area ends before"),
             run.owner);
     mark_done_for_all(s, i);
   }

@@ -72,6 +72,9 @@ struct UtmOrigin {
 struct Area {
   double width = 1000.0;
   double height = 1000.0;
+
+  /// Its edge is part of it.
+  bool contains(geom::Point p) const { return p.x >= 0.0 && p.y >= 0.0 && p.x <= width && p.y <= height; }
 };
 
 /// Heights of the ground, a byte for each cell, row by row (HEIGHTMAP). Cells below the sea level are water.

@@ -6,6 +6,7 @@
 
 #include "mlab/base/hash.h"
 #include "mlab/base/random.h"
+#include "mlab/geom/outline.h"
 
 namespace mlab::sim {
 namespace {
@@ -15,8 +16,9 @@ const RadioSpec& radio_of(const Sensors::Scene& scene, std::uint32_t body) {
 }
 
 bool is_silent(const Sensors::Scene& scene, std::uint32_t body) {
-  return std::ranges::any_of(
-      scene.silences, [&](const Outline& outline) { return contains(outline, scene.bodies.position(body)); });
+  return std::ranges::any_of(scene.silences, [&](const Outline& outline) {
+    return geom::is_within(outline, scene.bodies.position(body));
+  });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/base/random.h"
+#include "mlab/geom/outline.h"
 #include "mlab/sim/camera.h"
 #include "mlab/sim/radio.h"
 
@@ -51,7 +52,7 @@ AreaSeen area_seen(std::span<const Wall> edge, Point here) {
   for (const Wall& wall : edge) {
     const Point at = geom::nearest_point(wall.segment, here);
     if (square_distance(at, here) < square_distance(nearest, here)) nearest = at;
-    is_inside ^= is_crossed(wall.segment, here);
+    is_inside ^= geom::is_crossed(wall.segment, here);
   }
   const double distance = std::sqrt(square_distance(nearest, here));
   return is_inside ? AreaSeen{0.0, here + (here - nearest), distance} : AreaSeen{distance, nearest, 0.0};

@@ -95,19 +95,6 @@ World world_of(const overlay::Overlay& overlay) {
   return world;
 }
 
-bool is_crossed(const geom::Segment& line, geom::Point from) {
-  const auto& [a, b] = line;
-  if ((a.y > from.y) == (b.y > from.y)) return false;
-  return from.x < a.x + (b.x - a.x) * (from.y - a.y) / (b.y - a.y);
-}
-
-bool contains(const Outline& outline, geom::Point point) {
-  bool is_inside = false;
-  for (std::size_t i = 0, before = outline.size() - 1; i < outline.size(); before = i++)
-    is_inside ^= is_crossed({outline[before], outline[i]}, point);
-  return is_inside;
-}
-
 std::vector<base::ObjectId> same_objects(std::span<const Object> before, std::span<const Object> after) {
   const auto key = [](const Object& o) {
     return std::tuple(o.object_class, o.style, o.center.x, o.center.y, o.radius);

@@ -40,14 +40,8 @@ struct Travel {
   }
 };
 
-/// Whether a ray to the east crosses the line, counted so that a closed edge is crossed an odd number of
-/// times from inside.
-bool is_crossed(const geom::Segment& line, geom::Point from);
-
 /// The corners of an area, one after the other [m].
 using Outline = std::vector<geom::Point>;
-/// Whether a point lies within it, by how often a ray to the east crosses its edge.
-bool contains(const Outline& outline, geom::Point point);
 
 /// What is around, before any robot comes. A plain value.
 struct World {

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mlab/geom/outline.h"
 #include "mlab/ways/bending_planner.h"
 #include "mlab/ways/testing/searches.h"
 
@@ -178,7 +179,7 @@ TEST(Coverage, LeavesOutWhatIsClosedOffAndSaysHowMuch) {
   EXPECT_EQ(out.end, CoverageEnd::kCovered);
   EXPECT_NEAR(out.free_area, 10'000.0, 100.0);
   EXPECT_NEAR(out.visible, 1.0 - 0.0001 * 40.0 * 40.0, 0.003) << "nobody sees through its walls";
-  for (const geom::Point p : out.waypoints) EXPECT_FALSE(testing::is_inside(room, p));
+  for (const geom::Point p : out.waypoints) EXPECT_FALSE(geom::is_within(room, p));
 }
 
 TEST(Coverage, FindsTheDoorOfARoom) {

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/geom/outline.h"
 #include "mlab/lang/mdl/quoted.h"
 
 namespace mlab::mdl {
@@ -63,21 +64,13 @@ const overlay::ControlMeasure* GoalCheck::minefield_at(geom::Point p) {
       if (geom::distance(p, measure.points.front()) < 0.5 * measure.size) return &measure;
       continue;
     }
-    bool is_inside = false;  // by the crossings of a line to the east
-    for (std::size_t i = 0; i < measure.points.size(); ++i) {
-      const geom::Point a = measure.points[i];
-      const geom::Point b = measure.points[(i + 1) % measure.points.size()];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)))
-        is_inside = !is_inside;
-    }
-    if (is_inside) return &measure;
+    if (geom::is_within(measure.points, p)) return &measure;
   }
   return nullptr;
 }
 
 bool GoalCheck::is_outside(geom::Point p) const {
-  const overlay::Area area = mission_.overlay.mission_area();
-  return p.x < 0.0 || p.y < 0.0 || p.x > area.width || p.y > area.height;
+  return !mission_.overlay.mission_area().contains(p);
 }
 
 const overlay::ObstacleDisc* GoalCheck::obstacle_at(geom::Point p, double radius) {

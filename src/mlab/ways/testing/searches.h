@@ -6,22 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "mlab/geom/outline.h"
 #include "mlab/ways/planner.h"
 #include "mlab/ways/testing/grounds.h"
 
 namespace mlab::ways::testing {
-
-/// By the sides of the outline that lie to the right of it.
-inline bool is_inside(std::span<const geom::Point> outline, geom::Point p) {
-  bool out = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const geom::Point a = outline[i];
-    const geom::Point b = outline[(i + 1) % outline.size()];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) out = !out;
-  }
-  return out;
-}
 
 /// What a way really sees, told by looking at places close together on a square [0, side]: those that are
 /// near enough to some place on it, with no wall in between.
@@ -42,7 +31,7 @@ class SeenPlaces {
     for (std::size_t i = 0; i < cells; ++i) {
       const geom::Point p = place(i);
       const double room = room_at(ground, p);
-      is_wanted_[i] = room > 0.0 && is_inside(outline, p);
+      is_wanted_[i] = room > 0.0 && geom::is_within(outline, p);
       if (room >= clearance && ground.bounds.contains(p)) part[i] = -1;
     }
     look_from(largest_part(part));
