@@ -179,12 +179,12 @@ TEST(NextErrand, KeepsToTheLegsOfASearchRoundWhatNobodyKnewOf) {
   const std::vector<Step> steps = {
       {{0, 9}, 9.0, {0, 9}},
       {{0, 9}, 0.1, {60, 9}},
-      {{3, 9.4}, 57.0, {60, 9}},
-      {{12.5, 9.6}, 47.0, {17.5, 9}},  // it has left the leg, round something
+      {{3, 9.9}, 57.0, {60, 9}},
+      {{12.5, 10.1}, 47.0, {17.5, 9}},  // it has left the leg, round something
       {{14.9, 12}, 4.0, {17.5, 9}},
       {{15.1, 12}, 4.0, {22.5, 9}},
-      {{20.1, 9.4}, 2.0, {60, 9}},  // it is back
-      {{24, 9.6}, 36.0, {29, 9}},
+      {{20.1, 9.9}, 2.0, {60, 9}},  // it is back
+      {{24, 10.1}, 36.0, {29, 9}},
       {{24, 12}, schema::kClosedEnd + 0.1, {34, 9}},  // what stands at that place is left out
       {{24, 12}, schema::kClosedEnd + 0.1, {60, 9}},  // nor can it come to the next one
       {{24, 12}, 36.0, {60, 9}},

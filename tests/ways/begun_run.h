@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -15,10 +17,13 @@ namespace mlab {
 /// A run of a mission that has been told to execute; null, and the test fails, where there is none.
 /// @param patience  as of `mlab run` [s]
 /// @param told      gets what is told in the run, a line each; outlives it
+/// @param events    what happens in the world
 inline std::unique_ptr<run::MissionRun> begun_run(const std::shared_ptr<const mission::Mission>& mission,
-                                                  double patience, std::string& told) {
+                                                  double patience, std::string& told,
+                                                  std::vector<overlay::EnvironmentEvent> events = {}) {
   text::Diagnostics sink;
   run::RunSettings settings;
+  settings.environment.events = std::move(events);
   settings.executive.patience = patience;
   settings.executive.proceed_all = true;
   auto out = simulated::make_run(mission, {}, settings, sink);

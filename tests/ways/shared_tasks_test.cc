@@ -67,8 +67,9 @@ class SharedTasks : public testing::Test {
   static constexpr double kTolerance = 2.0;  // of the standard robot: so near to a place it was there [m]
 
   /// @param measures  control measures of the map
+  /// @param unknown   rocks that no map shows
   void make(int robots, const std::string& preamble, const std::string& command,
-            const std::string& measures = "") {
+            const std::string& measures = "", const std::vector<Seen::Rock>& unknown = {}) {
     std::string text = "OVERLAY map.odl\nMISSION-AREA 600 400\n" + preamble + "UNIT <team>";
     for (int i = 0; i < robots; ++i) text += " ROBOT";
     text += "\nCOMMAND LIST:\n0. UNIT team START 20 150 0 10\n1. UNIT team " + command + "\n";
@@ -81,7 +82,11 @@ class SharedTasks : public testing::Test {
     const auto mission =
         mdl::check_mission(std::make_shared<const text::Source>("test.mdl", text), "", sink, options);
     ASSERT_NE(mission, nullptr) << text::render(sink);
-    run_ = begun_run(mission, 120.0, told_);
+    overlay::EnvironmentEvent rocks;
+    rocks.start = 1.0;
+    for (const Seen::Rock& one : unknown)
+      rocks.changes.push_back(overlay::AddObstacle{one.center, one.radius});
+    run_ = begun_run(mission, 120.0, told_, {rocks});
     ASSERT_NE(run_, nullptr);
   }
 
@@ -381,6 +386,19 @@ TEST_F(SharedTasks, LanesOfANarrowSwathAreKeptToo) {
     search(seen);
     EXPECT_TRUE(is_done()) << told_;
     EXPECT_GE(seen.share(), 0.995);
+  }
+}
+
+TEST_F(SharedTasks, RocksThatNobodyKnewOfLeaveLittleUnseen) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const std::vector<Seen::Rock> rocks = random_rocks(seed, {80, 80}, {320, 320}, 30);
+    make(4, "", "SEARCH Field SWATH 15", "OBJ Field 100 100 300 100 300 300 100 300\n", rocks);
+    Seen seen({100, 100}, {300, 300}, rocks, 15.0);
+    search(seen);
+    EXPECT_TRUE(is_done()) << told_;
+    EXPECT_EQ(contacts(), 0U);
+    EXPECT_GE(seen.share(), 0.95);
   }
 }
 

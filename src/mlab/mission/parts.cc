@@ -237,6 +237,15 @@ std::vector<PlannedPart> plan_parts(const State& state, Run& run) {
              .end = goal,
              .warning = std::move(way.warning)}};
   }
+  if (info(run.command->task).is_shared) {
+    // Who comes first looks at all places for the others: somebody who can.
+    std::vector<base::RobotId> members = run.needed;
+    std::ranges::stable_partition(members, [&](base::RobotId id) {
+      const RobotState* robot = find_robot(state, id);
+      return robot != nullptr && robot->is_running;
+    });
+    return {{.members = std::move(members), .command = run.command, .goal = goal, .end = goal}};
+  }
   if (!can_divide(run)) return {{.members = run.needed, .command = run.command, .goal = goal, .end = goal}};
   run.technique = run.command->technique;
   std::vector<PlannedPart> parts;

@@ -228,7 +228,7 @@ void bid_for_pieces(const Percepts& percepts, const Errands& errands, const Erra
 /// knew of makes a robot leave a leg only as long as it stands beside it.
 constexpr double kAheadOnLeg = 5.0;
 /// Who is farther from it has left it [m].
-constexpr double kOffLeg = 0.5;
+constexpr double kOffLeg = 1.0;
 
 /// Where to head for on the way to a corner of a search's piece.
 geom::Point on_leg(std::span<const geom::Point> way, const ErrandState& state) {
