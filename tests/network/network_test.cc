@@ -1,11 +1,14 @@
 // Hosts that talk through the relay, made in each way that there is.
 
-#include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
-#include <cstdio>
+#include <array>
+#include <limits>
 #include <sstream>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/processor_time.h"
@@ -132,7 +135,7 @@ TEST_P(Network, DelaysBothWays) {
   std::istringstream(said(asking)) >> answers >> mean;
   EXPECT_EQ(answers, 8);
   EXPECT_GT(mean, 36'000.0);
-  EXPECT_LT(mean, 1'000'000.0);  // the machine may be busy
+  EXPECT_LT(mean, base::kIsSlowBuild ? 1'236'000.0 : 96'000.0);  // the machine may be busy
 }
 
 TEST_P(Network, CarriesAStreamWholeThroughLossAndDelay) {
@@ -196,10 +199,25 @@ TEST_P(Network, TwoNetworksDontHearEachOther) {
   EXPECT_EQ(other.total().sent, 1U);
 }
 
-TEST_P(Network, LosesNoPacketWithoutCountingIt) {
+TEST_P(Network, TakesNotMuchLongerForAPacketThanAPairOfSocketsDoes) {
+  constexpr int kPackets = 20'000;
+  const base::Yardstick yardstick([] {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::socketpair(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0, ends.data()), 0);
+    std::array<char, 100> packet{};
+    for (int i = 0; i < kPackets; ++i) {
+      ASSERT_EQ(::write(ends[0], packet.data(), packet.size()), 100);
+      ASSERT_EQ(::read(ends[1], packet.data(), packet.size()), 100);
+    }
+    for (const int end : ends) ::close(end);
+  });
   TestNetwork network(with(2));
-  const Count count = count_of(network, 20'000, 100'000);
-  EXPECT_EQ(count.all + static_cast<int>(network.overruns()), 20'000);
+  Count count;
+  constexpr double kOnce = std::numeric_limits<double>::infinity();
+  const double times = yardstick.times([&] { count = count_of(network, kPackets, 100'000); }, kOnce);
+  EXPECT_EQ(count.all + static_cast<int>(network.overruns()), kPackets);
+  fmt::print("[network] the relay takes {:.1f} times as long for a packet as a pair of sockets\n", times);
+  EXPECT_LT(times, 10.0);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ inline constexpr double kGrowthOfLine = 32.0;
 
 /// How many times as long as an ordinary text any other of the same size may take to be answered. What grows
 /// with the square of a size takes thousands of times as long there.
-inline constexpr double kPatience = 100.0;
+inline constexpr double kPatience = 30.0;
 
 /// How many times as long `work(8 * size)` takes as `work(size)`: some 8 where time grows with the size, some
 /// 64 with its square.

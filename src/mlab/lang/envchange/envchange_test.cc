@@ -104,9 +104,10 @@ bool answer(const std::string& text) {
   return !sink.has_errors();
 }
 
-TEST(EnvironmentChangeFile, OfAMegabyteOfAnythingIsAnsweredAsSoonAsAnOrdinaryOne) {
-  const std::string ordinary = repeated("STEP_COUNT 1 ADD OBSTACLE 1 2 3\n");
-  const base::Yardstick yardstick([&] { EXPECT_TRUE(answer(ordinary)); });
+TEST(EnvironmentChangeFile, OfAMegabyteOfAnythingIsAnsweredAsSoonAsOneWithAMistakeInEachLine) {
+  EXPECT_TRUE(answer(repeated("STEP_COUNT 1 ADD OBSTACLE 1 2 3\n")));
+  const std::string ordinary = repeated("STEP_COUNT 1 ADD OBSTACLE 1 two 3\n");
+  const base::Yardstick yardstick([&] { EXPECT_FALSE(answer(ordinary)); });
   for (const std::string piece : {"STEP_COUNT\n", "STEP_COUNT 1 ", "ADD\n", "REGION ", "x ", "x\n", "1 ", "9",
                                   "-", ".", "/", "/*", "//\n", "/**/", ",", "\xff "}) {
     const std::string text = repeated(piece);
