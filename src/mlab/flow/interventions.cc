@@ -44,8 +44,7 @@ std::optional<std::string> Interventions::why_never_held(const Program& program,
     return fmt::format("`{}` is not computed: set it instead of holding it", port.path);
   if (program.is_news(port))
     return fmt::format("`{}` says when a value has come, and can't be held: hold the value", port.path);
-  if (port.type->parse == nullptr)
-    return fmt::format("`{}` is {}: there are no words for one", port.path, value_of(*port.type));
+  if (port.type->parse == nullptr) return why_not_written(port.path, *port.type);
   if (port.type->size > kLargest)
     return fmt::format("{} has {} bytes, and at most {} can be held", value_of(*port.type), port.type->size,
                        kLargest);

@@ -336,7 +336,7 @@ std::string expected_of(const Port& port) {
 
 std::optional<std::string> Program::read(const Port& port, std::string_view text, ValueBytes& out) {
   if (port.type->parse == nullptr || port.type->size > out.size())
-    return fmt::format("`{}` is {}: there are no words for one", port.path, value_of(*port.type));
+    return why_not_written(port.path, *port.type);
   if (!port.type->parse(text, out.data()))
     return fmt::format("`{}` is no {}: `{}` takes {}", text::shown(text, 100), noun_of(*port.type), port.path,
                        expected_of(port));

@@ -77,6 +77,11 @@ std::string value_of(const TypeInfo& type, std::string_view unit) {
   return fmt::format("{} [{}]", out, unit);
 }
 
+std::string why_not_written(std::string_view port, const TypeInfo& type) {
+  return fmt::format("`{}` is {}, which can't be written down, so it can't be set or held", port,
+                     value_of(type));
+}
+
 std::string expected_of(const TypeInfo& type) {
   switch (type.kind) {
     case TypeKind::kBool:

@@ -16,6 +16,8 @@ std::string value_of(const TypeInfo& type);
 /// The same of a number in a unit: `a length [m]`; `a number [m*m]` where no quantity has it.
 /// @param unit  empty: none
 std::string value_of(const TypeInfo& type, std::string_view unit);
+/// Why nobody can set or hold a value of a type that has no form in writing.
+std::string why_not_written(std::string_view port, const TypeInfo& type);
 /// What can be written as one: `a number`, `true or false`, `one of Line, Column, Wedge`.
 std::string expected_of(const TypeInfo& type);
 

@@ -9,7 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "mlab/text/shown.h"
 
@@ -183,7 +184,7 @@ class ConditionParser {
       node.value = value.value;
     } else {
       if (value.kind != Token::Kind::kWord || std::ranges::find(kOutcomes, value.text) == kOutcomes.end())
-        fail("an outcome: `done`, `failed`, `aborted` or `interrupted`");
+        fail(fmt::format("an outcome: {}", fmt::join(kOutcomes, ", ")));
       node.word = value.text;
     }
     if (problem_) return 0;

@@ -125,7 +125,7 @@ Value ArithmeticLowering::fold(const Computation& how, const std::vector<Operand
     if (how.behavior == "DivideNumbers" && numbers[1] == 0.0)
       findings_.error("division-by-zero", operands[1].place, "this is 0, and nothing can be divided by it");
     else
-      findings_.error("number-out-of-range", place, "the result is larger than any number here can be");
+      findings_.error("number-out-of-range", place, "the result is no number that can be held here");
     return out;
   }
   out.place = place;
