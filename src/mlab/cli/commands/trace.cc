@@ -173,7 +173,7 @@ void add_all(const run::MissionRun& run, const TraceOptions& options, Columns& c
 // Robots may come when a run goes on, with programs that no other has: it is computed once more, up to there.
 // @return  false: what the options name is not there, which is told
 bool find_later_robots(const RecordedRun& recorded, const TraceOptions& options,
-                       std::vector<std::uint32_t> missing, Columns& columns) {
+                       std::vector<std::uint32_t> missing, Columns& columns, bool& has_closed) {
   const std::unique_ptr<history::Replay> replay = replay_of(recorded.history, options.replay);
   if (replay == nullptr) return false;
   replay->run().set_meanwhile(was_interrupted);
@@ -182,6 +182,7 @@ bool find_later_robots(const RecordedRun& recorded, const TraceOptions& options,
     missing = missing_robots(replay->run(), options);
   add_all(replay->run(), options, columns);
   columns.forget_programs();
+  has_closed = tell_of_closed(replay->run(), options);
   if (missing.empty()) return true;
   if (!was_interrupted())
     fmt::print(stderr, "mlab trace: --robot {}: there is no such robot in the whole run\n", missing.front());
@@ -191,10 +192,12 @@ bool find_later_robots(const RecordedRun& recorded, const TraceOptions& options,
 // @return  false: what the options name is not there, which is told
 bool find_columns(const RecordedRun& recorded, const TraceOptions& options, Columns& columns) {
   const run::MissionRun& run = recorded.replay->run();
-  const bool has_closed = tell_of_closed(run, options);
   add_all(run, options, columns);
-  if (std::vector<std::uint32_t> missing = missing_robots(run, options);
-      !missing.empty() && !find_later_robots(recorded, options, std::move(missing), columns))
+  bool has_closed = false;
+  std::vector<std::uint32_t> missing = missing_robots(run, options);
+  if (missing.empty())
+    has_closed = tell_of_closed(run, options);
+  else if (!find_later_robots(recorded, options, std::move(missing), columns, has_closed))
     return false;
   const std::vector<std::string> known = columns.known();
   if (known.empty() && has_closed) return false;
@@ -259,12 +262,12 @@ int trace(const TraceOptions& options) {
     has_rows = print_rows(run, columns, options) || has_rows;
   }
   if (!has_rows && !was_interrupted())
-    fmt::print(stderr,
-               "mlab trace: no row: of these robots none goes on in a cycle that is asked for, from {} s on; "
-               "the run "
-               "has {}, up to {:.1f} s\n",
-               options.from, base::counted(recorded.history->last_cycle(), "cycle"),
-               recorded.history->last_time());
+    fmt::print(
+        stderr,
+        "mlab trace: no row: none of these robots has started in a cycle that is asked for, from {} s on; "
+        "the run "
+        "has {}, up to {:.1f} s\n",
+        options.from, base::counted(recorded.history->last_cycle(), "cycle"), recorded.history->last_time());
   if (recorded.replay->divergence()) fmt::print(stderr, "{}\n", outcome_of(*recorded.replay));
   return recorded.replay->divergence() || was_interrupted() ? kFailed : kDone;
 }
