@@ -394,6 +394,28 @@ TEST(RobotsAtAgents, AreSharedOutAndFailWithTheirAgent) {
   EXPECT_EQ(first.start(), "has no agent: the agent on `birch` ended");
 }
 
+TEST(RobotsAtAgents, GetWhatWasSetWhileTheirAgentWasLostAtTheirNextStart) {
+  Agents agents;
+  const RobotProgram program = standard_robot(false);
+  ProgramRunner& runner = agents.runner_of(program);
+  Traveller first(runner, 1, program);
+  Traveller second(runner, 2, program);
+  ASSERT_EQ(first.start(), std::nullopt);
+  ASSERT_EQ(second.start(), std::nullopt);
+  cycles({&first, &second}, 3);
+  agents.link(1).end();
+  cycles({&first, &second}, 1);
+  ASSERT_NE(second.failure(), "");
+  EXPECT_EQ(runner.set(second.member(), "base_velocity", "0.1"), std::nullopt);
+  EXPECT_NE(runner.set(second.member(), "base_velocity", "fast"), std::nullopt);
+  EXPECT_NE(runner.release(second.member(), "no_such_port"), std::nullopt);
+  ASSERT_EQ(second.start(), std::nullopt);
+  cycles({&first, &second}, 1);
+  EXPECT_EQ(second.failure(), "");
+  EXPECT_EQ(second.number("base_velocity"), 0.1);
+  EXPECT_EQ(first.number("base_velocity"), 0.2);
+}
+
 TEST(RobotsAtAgents, CanBeLookedAtWhileTheyAct) {
   Agents agents;
   const RobotProgram program = standard_robot(false);
