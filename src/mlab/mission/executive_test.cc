@@ -203,6 +203,27 @@ TEST(Rally, EndsAtATimeWhoeverIsThere) {
   for (std::uint32_t id = 1; id <= 2; ++id) EXPECT_TRUE(fleet.robot(id).order.order.halted);
 }
 
+TEST(Visit, IsLedBySomebodyWhoRuns) {
+  MissionMaker m;
+  const auto unit = m.unit("u", 3);
+  UnitCommand until = rally(unit, {1000, 0}, 5.0);
+  until.until = MissionTime{MissionTime::Kind::kSinceReached, 20.0};
+  UnitCommand visit = command(unit, Task::kVisit, "Camp", {50, 0});
+  visit.route = {{50, 0}, {80, 0}};
+  m.step({start(unit)}).step({until}).step({visit});
+  ToyFleet fleet(m.make());
+  fleet.send(event::Execute{});
+  ASSERT_TRUE(fleet.run_until([&] { return fleet.time() > 10.0; }));
+  fleet.robot(1).report.is_running = false;
+  const auto visits = [&](std::uint32_t id) {
+    return fleet.robot(id).order.order.task == percept::Task::kVisit;
+  };
+  ASSERT_TRUE(fleet.run_until([&] { return visits(2); }, 60.0)) << fleet.transcript();
+  ASSERT_EQ(fleet.robot(2).order.members.size(), 3U) << "who is lost may come back";
+  EXPECT_EQ(fleet.robot(2).order.members.front().value, 2U);
+  EXPECT_EQ(fleet.robot(2).order.members.back().value, 1U);
+}
+
 /// A RALLY whose robots stop 12 m before the place and say that they are there.
 std::unique_ptr<ToyFleet> rally_beside(bool is_taken, double width = 1000.0) {
   MissionMaker m;
