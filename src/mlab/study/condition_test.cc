@@ -66,7 +66,9 @@ TEST(Condition, SaysWhatIsExpectedWhere) {
   EXPECT_NE(problem_in("(duration < 3").find("expected `)`"), std::string::npos);
   EXPECT_NE(problem_in("duration < 3 4").find("expected `and`, `or`, or the end"), std::string::npos);
   EXPECT_NE(problem_in("outcome < done").find("`==` or `!=`"), std::string::npos);
-  EXPECT_NE(problem_in("outcome == dune").find("`interrupted`, found `dune`"), std::string::npos)
+  EXPECT_NE(problem_in("outcome == dune")
+                .find("expected an outcome: done, failed, aborted, interrupted, found `dune`"),
+            std::string::npos)
       << problem_in("outcome == dune");
   EXPECT_NE(problem_in("").find("expected a number of the run"), std::string::npos);
   EXPECT_NE(problem_in(std::string(10'000, '(')).find("fewer parentheses"), std::string::npos);

@@ -85,6 +85,7 @@ PortType Binder::type_of(const Parameter& parameter) {
 
 bool Binder::fits(const PortType& have, const PortType& want, const std::string& name,
                   const text::Place& place, const Value* about) {
+  if (have.type == nullptr || want.type == nullptr) return true;  // what is unknown was told of before
   const Misfit misfit = cdl::misfit(have, want);
   if (misfit == Misfit::kType) {
     text::Diagnostic& d =
