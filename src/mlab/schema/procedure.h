@@ -44,6 +44,7 @@
 #include "mlab/schema/sectors.h"
 #include "mlab/schema/signal.h"
 #include "mlab/schema/stick.h"
+#include "mlab/schema/surroundings.h"
 #include "mlab/schema/task_progress.h"
 #include "mlab/schema/vector_sum.h"
 #include "mlab/schema/way.h"

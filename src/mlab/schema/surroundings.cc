@@ -1,0 +1,182 @@
+#include "mlab/schema/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mlab/schema/way.h"
+
+namespace mlab::schema {
+namespace {
+
+using geom::Offset;
+using geom::Point;
+using geom::Segment;
+
+constexpr double kLeast = 0.01;       // between surfaces, whatever else can't be kept [m]
+constexpr double kStands = 0.05;      // [m/s]
+constexpr double kToTheRight = 0.1;   // of what is wanted, where somebody is near
+constexpr double kWallHorizon = 0.5;  // [s]
+constexpr std::size_t kMostTraffic = 24;
+
+Segment at_point(Offset place) {
+  return {Point{} + place, Point{} + place};
+}
+
+Segment seen_from(Point here, const Segment& wall) {
+  return {Point{} + (wall.a - here), Point{} + (wall.b - here)};
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const percept::Percepts& percepts, const Spacing& spacing,
+                           const ObstacleList& obstacles, const RobotList& robots, Point before,
+                           SeenRobots& seen)
+    : percepts_(percepts),
+      spacing_(spacing),
+      obstacles_(obstacles),
+      robots_(robots),
+      here_(percepts.pose.position),
+      before_(before),
+      cos_(geom::ahead_of(percepts.pose.heading).x),
+      sin_(geom::ahead_of(percepts.pose.heading).y),
+      near_(2.0 * spacing.horizon * spacing.fastest),
+      step_(percepts.cycle_duration * spacing.fastest) {
+  add_edges();
+  add_walls();
+  add_obstacles();
+  add_robots(seen);
+  bar_robots();
+}
+
+// The edge of the area holds who is within it.
+void Surroundings::add_edges() {
+  constexpr double kFar = 10.0;  // [m]
+  const auto add = [&](double room, Offset outward) {
+    if (room < -kLeast || room > step_) return;
+    const Point line = Point{} + outward * (room + kFar);
+    const Offset along = Offset{outward.y, outward.x} * (2.0 * kFar);
+    bars_.add({{line - along, line + along}, kFar});
+  };
+  const auto& area = percepts_.ground.bounds;
+  const Offset low = Point{area.x0, area.y0} - here_;
+  const Offset high = Point{area.x1, area.y1} - here_;
+  add(-low.x, {-1, 0});
+  add(-low.y, {0, -1});
+  add(high.x, {1, 0});
+  add(high.y, {0, 1});
+}
+
+void Surroundings::add_walls() {
+  wall_count_ = nearest_walls(percepts_.ground, here_, 0.25 * near_, walls_);
+  for (std::size_t i = 0; i < wall_count_; ++i) {
+    const Offset place = geom::nearest_point(walls_[i], here_) - here_;
+    standing_.add({place, {}, spacing_.radius + spacing_.obstacle_gap, kWallHorizon, false});
+    if (length(place) < spacing_.radius + kLeast + step_)
+      bars_.add({seen_from(here_, walls_[i]), spacing_.radius + kLeast});
+  }
+}
+
+void Surroundings::add_obstacles() {
+  for (const percept::Obstacle& obstacle : obstacles_) {
+    if (standing_.is_full()) break;
+    const double reach = obstacle.radius + spacing_.radius;
+    if (obstacle.is_moving() || length(obstacle.center) - obstacle.radius > 0.5 * near_) continue;
+    const Offset place = to_world(obstacle.center);
+    standing_.add({place, {}, reach + spacing_.obstacle_gap, kWallHorizon, false});
+    if (length(place) < reach + kLeast + step_) bars_.add({at_point(place), reach + kLeast});
+  }
+  for (const percept::Obstacle& obstacle : obstacles_) {
+    if (passing_.is_full()) break;
+    const double away = length(obstacle.center) - obstacle.radius;
+    if (!obstacle.is_moving() || away > near_ + spacing_.horizon * length(obstacle.velocity)) continue;
+    passing_.add({to_world(obstacle.center), to_world(obstacle.velocity),
+                  obstacle.radius + spacing_.radius + spacing_.gap, spacing_.horizon, false, true});
+  }
+}
+
+void Surroundings::add_robots(SeenRobots& seen) {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const Offset place = to_world(robots_[i].center);
+    others_.add({place, seen.velocity(robots_[i].id, here_ + place, percepts_.cycle_duration, i),
+                 length(robots_[i].center)});
+  }
+  seen.clear();
+  for (std::size_t i = 0; i < robots_.size(); ++i) seen.add(robots_[i].id, here_ + others_[i].place);
+}
+
+// Half of what is between them, so that they can't touch. More of it where the other one went away from it,
+// which takes as much from its own half: so each takes less where it was itself that did.
+void Surroundings::bar_robots() {
+  for (std::size_t i = 0; i < robots_.size() && !bars_.is_full(); ++i) {
+    const double bodies = robots_[i].radius + spacing_.radius;
+    const double room = std::max(0.0, others_[i].away - bodies - kLeast);
+    if (room >= 2.0 * step_) continue;
+    const Offset place = others_[i].place;
+    const double gone = percepts_.cycle_duration * dot(others_[i].velocity, unit(place));
+    const double went = dot(before_ - here_, unit(place));
+    const double share = 0.5 * (room + std::clamp(gone, 0.0, room) - std::clamp(went, 0.0, room));
+    bars_.add({at_point(place), bodies, share});
+  }
+}
+
+WayMade Surroundings::give_way(Offset wanted, StandOff& standoff) const {
+  standoff.look(here_, percepts_.time);
+  if (robots_.empty()) return {wanted, spacing_.gap};
+  base::UpTo<Segment, 6> beside;
+  base::UpTo<RoundThing, 12> rounds;
+  const double reach = narrow_reach(spacing_.radius, spacing_.gap);
+  for (std::size_t i = 0; i < wall_count_; ++i) {
+    if (length(standing_[i].place) < reach) beside.add(seen_from(here_, walls_[i]));
+  }
+  for (const percept::Obstacle& obstacle : obstacles_) {
+    if (rounds.is_full() || length(obstacle.center) - obstacle.radius > reach) break;
+    if (!obstacle.is_moving()) rounds.add({to_world(obstacle.center), obstacle.radius});
+  }
+  if (beside.size() + rounds.size() == 0) return {wanted, spacing_.gap};
+  return give_way_at(wanted, side_room(unit(wanted), beside.all(), rounds.all()), standoff);
+}
+
+WayMade Surroundings::give_way_at(Offset wanted, const SideRoom& room, StandOff& standoff) const {
+  const bool is_narrow = room.is_narrow(spacing_.radius, spacing_.gap);
+  base::UpTo<Neighbour, flow::Robots::kCapacity> met;
+  for (std::size_t i = 0; i < robots_.size() && (is_narrow || standoff.is_in_one(percepts_.time)); ++i) {
+    const percept::RobotReading& robot = robots_[i];
+    const geom::Vector looks{std::cos(robot.heading), std::sin(robot.heading), 0.0};
+    met.add({others_[i].place, others_[i].velocity, to_world(looks), robot.radius, robot.is_unit_mate,
+             robot.id.value < percepts_.id.value});
+  }
+  WayMade out{wanted, spacing_.gap};
+  if (is_narrow) out = make_way(wanted, spacing_.radius, spacing_.gap, room, met.all());
+  out.wanted = standoff.step_back(out.wanted, percepts_.time, spacing_.radius, spacing_.gap, met.all());
+  return out;
+}
+
+Offset Surroundings::clear_velocity(const WayMade& made, double fastest) const {
+  base::UpTo<Traffic, kMostTraffic> traffic;
+  for (const Traffic& one : standing_) traffic.add(one);
+  bool is_alone = true;
+  for (const bool shares : {false, true}) {
+    const std::size_t room = kMostTraffic - (shares ? 0 : passing_.size());
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const auto& [place, velocity, away] = others_[i];
+      if (traffic.size() >= room || away > near_) continue;
+      if ((length(velocity) > kStands) != shares) continue;
+      constexpr double kLeastGap = 0.25;  // of the gap: nearer than that one flees
+      const double bodies = robots_[i].radius + spacing_.radius;
+      const double apart = std::clamp(length(place), bodies + kLeastGap * spacing_.gap, bodies + made.gap);
+      traffic.add({place, velocity, apart, spacing_.horizon, shares});
+      is_alone = is_alone && away > 0.5 * near_;
+    }
+    for (std::size_t i = 0; i < passing_.size() && !shares; ++i) traffic.add(passing_[i]);
+  }
+  Offset wanted = made.wanted;
+  if (!is_alone) wanted = wanted + Offset{wanted.y, -wanted.x} * kToTheRight;
+  const double dt = percepts_.cycle_duration;
+  const Offset now = dt > 0.0 ? (here_ - before_) * (1.0 / dt) : Offset{};
+  const Offset chosen = reciprocal_velocity(wanted, now, traffic.all(), dt, std::max(fastest, kStands));
+  const Offset motion = chosen * dt;
+  const Offset clear = clear_motion(motion, bars_.all());
+  return clear == motion ? chosen : clear * (1.0 / dt);
+}
+
+}  // namespace mlab::schema
