@@ -24,6 +24,21 @@ TEST_F(Command, AMisspeltCommandOrOptionIsToldWithTheNearest) {
   EXPECT_FALSE(has(mlab("zzzzzz").err, "did you mean"));
 }
 
+TEST_F(Command, WhatIsMissingTooMuchOrOfTheWrongKindIsToldWithWhatIsExpected) {
+  const auto expect_told = [&](const std::string& arguments, const std::string& words) {
+    const Outcome o = mlab(arguments);
+    EXPECT_EQ(o.status, 2) << arguments;
+    EXPECT_EQ(o.err, words + "\nRun with --help for all of them.\n") << arguments;
+  };
+  expect_told("", "mlab: a command is missing; the first to try: mlab console MISSION.mdl");
+  expect_told("compare a.mcap", "mlab compare: B.mcap is missing: another one");
+  expect_told("replay a.mcap b.mcap c.mcap", "mlab replay: there is no place for `b.mcap`, `c.mcap`");
+  expect_told("trace a.mcap --robot three", "mlab trace: --robot: expected a number (N), found `three`");
+  expect_told("batch m.mdl --runs", "mlab batch: --runs: expected N behind it");
+  expect_told("keys --add a --withdraw b", "mlab keys: --add excludes --withdraw");
+  EXPECT_TRUE(has(mlab("run m.mdl --robots far").err, "mlab run: --robots: far not in {")) << "in words";
+}
+
 TEST_F(Command, AFileOfAnotherLanguageIsToldWithWhatTakesIt) {
   for (const char* file : {"m.mdl", "map.odl", "robot.cdl", "robot.cnl", "rocks.env"}) write(file, "");
   const auto expect_told = [&](const std::string& arguments, const std::string& words) {

@@ -14,6 +14,7 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/version.h"
+#include "mlab/cli/wrong_words.h"
 
 namespace mlab::cli {
 namespace {
@@ -29,7 +30,9 @@ int parse_and_serve(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kDone : kBadInput;
+    if (e.get_exit_code() == 0) return app.exit(e);  // help and version come this way, too
+    tell_wrong_words(app, e, {argv + 1, argv + argc});
+    return kBadInput;
   }
   return agent(options);
 }

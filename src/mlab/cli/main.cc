@@ -30,7 +30,7 @@
 #include "mlab/cli/robot_options.h"
 #include "mlab/cli/shell_words.h"
 #include "mlab/cli/version.h"
-#include "mlab/text/diagnostic.h"
+#include "mlab/cli/wrong_words.h"
 
 namespace mlab::cli {
 namespace {
@@ -388,46 +388,6 @@ int show_own(const CLI::App& app, const OwnOptions& o) {
   return kDone;
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
-  const std::string nearest = text::nearest_name(word, known);
-  return nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest);
-}
-
-// A first word that is no command, or an option that the command doesn't have, with the nearest that there
-// is.
-// @return false where the mistake is of another kind
-bool tell_unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
-  const ProgramWords program = words_of(app);
-  std::vector<std::string> known;
-  const CommandWords* command = &program.own;
-  for (const CommandWords& one : program.commands) {
-    known.push_back(one.name);
-    if (!words.empty() && one.name == words.front()) command = &one;
-  }
-  const bool is_own = command == &program.own;
-  if (is_own && !words.empty() && !words.front().starts_with('-')) {
-    fmt::print(stderr, "mlab: there is no command `{}`{}\nRun mlab --help for all of them.\n", words.front(),
-               did_you_mean(words.front(), known));
-    return true;
-  }
-  known.clear();
-  for (const OptionWords& option : command->options)
-    known.insert(known.end(), option.names.begin(), option.names.end());
-  for (const std::string& all : words) {
-    const std::string word = all.substr(0, all.find('='));
-    if (!word.starts_with("--") || word == "--" || std::ranges::find(known, word) != known.end()) continue;
-    fmt::print(stderr, "mlab{}{}: there is no option `{}`{}\nRun with --help for all of them.\n",
-               is_own ? "" : " ", is_own ? "" : command->name, word, did_you_mean(word, known));
-    return true;
-  }
-  return false;
-}
-
-bool is_unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
-  if (words.empty() || words.front().starts_with('-')) return false;
-  return app.get_subcommands([&](const CLI::App* one) { return one->check_name(words.front()); }).empty();
-}
-
 // `mlab help run` is `mlab run --help`.
 std::vector<std::string> words_in(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
@@ -550,13 +510,16 @@ int parse_and_run(int argc, char** argv) {
   AllOptions options;
   add_all(app, options);
   const std::vector<std::string> words = words_in(argc, argv);
-  if (is_unknown_command(app, words) && tell_unknown_word(app, words)) return kBadInput;
+  if (is_unknown_command(app, words)) {
+    tell_unknown_command(app, words);
+    return kBadInput;
+  }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes them from the end
   } catch (const CLI::ParseError& e) {
-    const bool is_success = e.get_exit_code() == 0;  // help and version come this way, too
-    if (!is_success && tell_unknown_word(app, words)) return kBadInput;
-    return app.exit(e) == 0 ? kDone : kBadInput;
+    if (e.get_exit_code() == 0) return app.exit(e);  // help and version come this way, too
+    tell_wrong_words(app, e, words);
+    return kBadInput;
   }
   return do_as_told(app, options);
 }
