@@ -106,6 +106,9 @@ TEST_F(Ranks, OfASlurmArrayAreMerged) {
   const Outcome merged = mlab(batch("t.csv") + " --merge");
   EXPECT_EQ(merged.status, 0) << merged.err;
   EXPECT_TRUE(text_of(folder_ / "t.csv") == whole_);
+  const Outcome again = mlab(batch("t.csv") + " --merge");
+  EXPECT_EQ(again.status, 1);
+  EXPECT_TRUE(has(again.err, "no run of this batch is kept in")) << again.err;
   EXPECT_EQ(task(7).status, 0) << "a task that waited too long has nothing to do";
   EXPECT_FALSE(is_left("t.csv.runs.rank-7"));
 }

@@ -99,6 +99,15 @@ std::optional<std::string> ResultsFile::kept_word(const std::string& path, const
   return word.empty() ? std::nullopt : std::optional(std::move(word));
 }
 
+bool ResultsFile::keeps_runs(const std::string& path) {
+  if (!rank_files(path).empty()) return true;
+  const auto file = LockedFile::open_existing(path);
+  const auto all = file ? file->read() : std::nullopt;
+  if (!all) return false;
+  const auto contents = understand(*all);
+  return !contents || (!contents->rows.empty() && !contents->is_over);  // what it is then is told by open()
+}
+
 std::expected<ResultsFile::Opened, std::string> ResultsFile::open(const std::string& path,
                                                                   const Identity& identity, bool resumes) {
   auto file = LockedFile::open(path);

@@ -44,6 +44,9 @@ class ResultsFile final : public Keeper {
   /// What was kept under a name when a file was begun; nothing where there is none, or it is another file.
   static std::optional<std::string> kept_word(const std::string& path, const std::string& name);
 
+  /// Whether runs are kept there whose table has not been written yet.
+  static bool keeps_runs(const std::string& path);
+
   bool append(const Row& row) override { return file_.append(row_line(row)); }
   /// Table and page were written: the file and all beside it go. What several processes began leaves a mark,
   /// for those of them that come late.

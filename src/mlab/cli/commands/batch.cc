@@ -235,6 +235,13 @@ int run_batch(const BatchOptions& options, const study::Definition& definition, 
                base::counted(sink.warning_count(), "warning"));
     return kFailed;
   }
+  if (options.merges && !study::ResultsFile::keeps_runs(part.results)) {
+    fmt::print(stderr,
+               "mlab batch: no run of this batch is kept in {}: none is done yet, or table and page were "
+               "written, and it was removed then\n",
+               part.results);
+    return kFailed;
+  }
   if (!open_results(part, identity_of(definition, scenes.texts), options.resumes || options.merges))
     return kBadInput;
   study::Batch batch(definition, plan, scenes.all, part.keeper(), part.share);
