@@ -20,8 +20,10 @@ constexpr int kRobotsLookedAt = 200;
 constexpr std::uint64_t kMaxGapVisits = 10'000'000;  // legs times gaps of the whole mission
 constexpr double kDefaultSpacing = 50.0;             // formation_spacing [m]
 constexpr double kDefaultRobotSphere = 30.0;         // occupy_ and navigation_avoid_robot_sphere [m]
-constexpr double kDensest = 0.9069;                  // equal discs cover no larger share of a plane
-constexpr double kShortestLeg = 1e-6;                // below it there is no direction [m]
+constexpr double kGap = 0.6;           // between robots that plan ways, as AvoidReciprocally [m]
+constexpr double kSettled = 0.5;       // of a disc: so densely they come to rest in it
+constexpr double kDensest = 0.9069;    // equal discs cover no larger share of a plane
+constexpr double kShortestLeg = 1e-6;  // below it there is no direction [m]
 
 bool has_stations(percept::Formation formation) {
   return formation != percept::Formation::kNone && formation != percept::Formation::kSweep;
@@ -173,12 +175,32 @@ void FormationCheck::check_room(const mission::UnitCommand& command) {
                       spacing));
 }
 
+// Standard robots that plan ways keep a little apart also where they meet, and come to rest before they are
+// packed as densely as can be.
+void FormationCheck::check_crowd(const mission::UnitCommand& command, std::size_t robots, double radius) {
+  const double across = 2.0 * radius + kGap;
+  const double bodies_across = 2.0 * command.radius / across + 1.0;
+  if (static_cast<double>(robots) <= kSettled * bodies_across * bodies_across) return;
+  diagnostics_
+      .warning(
+          "rally-too-narrow", command.goal_place,
+          fmt::format(
+              "{} robots keep {:.6g} m apart: there may be no room for all of them within {:.6g} m of {}",
+              robots, kGap, command.radius, in_backticks(command.place_name)))
+      .hints.emplace_back("give the place a larger diameter");
+}
+
 // Standard robots that only react keep their distance also where they meet.
 void FormationCheck::check_meeting(const mission::UnitCommand& command) {
   const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
   if (members.size() < 2) return;
-  const mission::RobotType& type = mission_.types[type_of_robot_.at(members[0].value)];
-  if (type.program != "robot" || plans_ways(type)) return;
+  const std::uint32_t type_number = type_of_robot_.at(members[0].value);
+  const mission::RobotType& type = mission_.types[type_number];
+  if (type.program != "robot") return;
+  if (plans_ways(type)) {
+    check_crowd(command, members.size(), radius_of_type_[type_number]);
+    return;
+  }
   const double sphere = mission::number_parameter(type, "navigation_avoid_robot_sphere", kDefaultRobotSphere);
   const double spheres_across = 2.0 * command.radius / sphere + 1.0;
   if (sphere <= 0.0 || static_cast<double>(members.size()) <= kDensest * spheres_across * spheres_across)

@@ -39,6 +39,7 @@ class FormationCheck {
                  const overlay::ControlMeasure& gap);
   void check_room(const mission::UnitCommand& command);
   void check_meeting(const mission::UnitCommand& command);
+  void check_crowd(const mission::UnitCommand& command, std::size_t robots, double radius);
 
   const mission::Mission& mission_;
   text::Diagnostics& diagnostics_;
