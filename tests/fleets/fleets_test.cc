@@ -92,7 +92,7 @@ TEST_F(Fleets, RobotsOfAMachineThatIsLostStandAndTheReasonIsTold) {
   make_network(9);
   const Process north = agent("north");
   const Process south = agent("south");
-  Process far = run(mission("patrol"), {"--speed", "40", "--patience", "100"});
+  Process far = run(mission("patrol"), {"--speed", "20", "--patience", "60"});
   ASSERT_TRUE(come_to_be(2));
   ASSERT_TRUE(south.signal(SIGKILL));
   const auto ending = far.wait(kFleetPatience);

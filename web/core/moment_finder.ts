@@ -88,7 +88,7 @@ export class MomentFinder extends Store<{ finding: Finding }> {
     });
     if (search !== this.search) return false;
     const before = this.get("finding");
-    if (reply.result.case !== "found") {
+    if (!reply.ok || reply.result.case !== "found") {
       this.set("finding", { ...before, isUnderWay: false, problem: reply.error || "the server did not answer" });
       return false;
     }

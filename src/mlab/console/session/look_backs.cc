@@ -254,7 +254,10 @@ void LookBacks::answer(ConnectionId to, std::uint32_t request,
     reply.set_request(request);
     const Answered error = past.run ? find(*past.run, reply) : Answered(past.why_not);
     reply.set_ok(!error);
-    if (error) reply.set_error(*error);
+    if (error) {
+      reply.clear_result();  // a part of an answer is none
+      reply.set_error(*error);
+    }
     inbox_.post([this, to, out] { people_.send(to, *out); }, Inbox::Kind::kDuringCycle);
   });
 }

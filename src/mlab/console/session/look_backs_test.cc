@@ -122,7 +122,9 @@ TEST(LookBacks, AnswerWhatIsAskedOfTheWholeRun) {
   ASSERT_EQ(Browser::error_of(found), "");
   EXPECT_GT(found.found().moments_size(), 0);
   find.mutable_find_moments()->set_condition("robot one");
-  EXPECT_NE(Browser::error_of(anna.ask(find)).find("expected a robot's number"), std::string::npos);
+  const Reply wrong = anna.ask(find);
+  EXPECT_NE(Browser::error_of(wrong).find("expected a robot's number"), std::string::npos);
+  EXPECT_FALSE(wrong.has_found()) << "an error that comes with an answer is taken for one";
 }
 
 TEST(LookBacks, EndWithTheRunThatTheyShow) {
