@@ -127,6 +127,28 @@ test("the past is played, both ways, and catches up with now", async () => {
   await banner(console).waitFor({ state: "detached" });
 });
 
+test("moments are found by a condition, and one that is not understood is told as that", async () => {
+  const console = await running(10);
+  const { page } = console;
+  await line(console).getByRole("button", { name: "Find moments" }).click();
+  const panel = page.getByRole("region", { name: "Find moments" });
+  const field = panel.getByRole("combobox", { name: "When was it so that" });
+  const find = async (condition: string) => {
+    await field.fill(condition);
+    await page.keyboard.press("Enter");
+  };
+  await find("robot 1 speed > 0.5");
+  await panel.getByText(/moments? (in the whole run|up to)/).waitFor();
+  for (const [wrong, told] of [
+    ["robot 9 speed > 1", "There is no robot 9"],
+    ["all robots speed > 1", "but saw"],
+  ] as const) {
+    await find(wrong);
+    await panel.getByRole("alert").filter({ hasText: told }).waitFor();
+    expect(await panel.getByText("It was never so.").count()).toBe(0);
+  }
+});
+
 test("of a robot whose program has no states, that is told", async () => {
   const console = await running(5);
   await console.select("Robot 3");

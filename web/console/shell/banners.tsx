@@ -96,7 +96,7 @@ function LinkBanner() {
       <span className="grow">
         {isRefused
           ? `The server refuses this page: ${link.reason}. Open the address that mlab printed.`
-          : `Connection lost: ${link.reason}. The run goes on without this page; what you see is the last that came.`}
+          : `Connection lost: ${link.reason}. What you see is the last that came. If mlab still runs there, the run goes on without this page.`}
       </span>
       {!isRefused && (
         <>
@@ -125,7 +125,9 @@ function MachinesBanner() {
 function silenceSentence({ name, silent, patience, isWaitedFor }: Status_SilentMachine): string {
   const since = `Nothing has been heard of machine ${name} for ${Math.floor(silent)} s`;
   const until = `after ${Math.round(patience)} s it is given up.`;
-  return isWaitedFor ? `${since}: the run waits, ${until}` : `${since}: its robots stand, the run goes on; ${until}`;
+  return isWaitedFor
+    ? `${since}: the run waits, ${until}`
+    : `${since}: its robots stand, or do what FAILSAFE LINK-LOST says; the run goes on, ${until}`;
 }
 
 function RequestBanner() {

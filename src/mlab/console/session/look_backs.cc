@@ -396,7 +396,11 @@ void LookBacks::take(ConnectionId connection, PastPicture picture) {
     looker.time = picture.time;
     looker.played = wall_time();
   }
-  for (const ToBrowser& message : picture.messages) people_.send(connection, message);
+  for (ToBrowser& message : picture.messages) {
+    // How fast the run goes on meanwhile, or would: the past knows nothing of that.
+    if (message.has_status()) message.mutable_status()->set_speed(run_.pace().speed());
+    people_.send(connection, message);
+  }
   ToBrowser frame;
   *frame.mutable_frame() = std::move(picture.frame);
   frame.mutable_frame()->set_number(channel->second.begin_frame(wall_time()));

@@ -44,6 +44,7 @@ TEST(LookBacks, ShowAnotherMomentToOneWhileTheRunGoesOn) {
   ASSERT_TRUE(anna.wait([&] { return !anna.moment().is_coming() && anna.moment().cycle() == 30; }));
   EXPECT_NEAR(anna.frame().time(), 3.0, 1e-6);
   EXPECT_NEAR(anna.status().time(), 3.0, 1e-6);
+  EXPECT_DOUBLE_EQ(anna.status().speed(), 20.0) << "so fast the run goes on meanwhile";
   EXPECT_EQ(anna.control(Control::PAUSE), "you are looking at 0:03.0 of the run: return to now first");
   // To the other one it is the run as it goes on.
   const double before = ben.status().time();
