@@ -31,7 +31,7 @@ build_binary() {
   # The stamp is as old as the start of the build: what is edited meanwhile is newer.
   printf '%s\n' "$root" >"$stamp.new"
   configure_release
-  build_folder "$build/release" mlab || give_up "the build failed; what the compiler said stands above"
+  build_folder "$build/release" mlab mlab-agent || give_up "the build failed; what the compiler said stands above"
   [[ -x $binary ]] || give_up "the build made no $binary"
   mv -f "$stamp.new" "$stamp"
 }
