@@ -284,5 +284,16 @@ TEST_F(Command, WhatWasWarnedOfAtTheStartIsSaidAgainAtTheEnd) {
   }
 }
 
+TEST_F(Command, ASummarySaysWhichRobotsFailedThoughTheOthersDidAll) {
+  write("map.odl", kMap);
+  write("m.mdl",
+        "MISSION NAME Test\nOVERLAY map.odl\nSET FAILING-ROBOTS 1\nSET FAILURES-WITHIN 5\nUNIT <u> ROBOT "
+        "ROBOT\nCOMMAND LIST:\n0. UNIT u START Here 0 10\n1. UNIT u VISIT There Here\n");
+  const Outcome run = mlab("run m.mdl --headless --proceed");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(has(run.out, "all steps were done, but not by all robots")) << run.out;
+  EXPECT_TRUE(has(run.out, "; it failed: its body has broken down")) << run.out;
+}
+
 }  // namespace
 }  // namespace mlab

@@ -179,6 +179,8 @@ void RunScreen::show_summary(const run::MissionRun& run, const std::string& outc
   fmt::print("\n{} after {:.1f} s simulated, {:.2f} s real ({:.0f} robot-cycles per second)\n",
              colored(outcome, outcome == "done" ? Color::kGood : Color::kBad), run.time(), wall_seconds,
              wall_seconds > 0.0 ? static_cast<double>(run.robot_cycles()) / wall_seconds : 0.0);
+  if (outcome != "done" && run.state().outcome == mission::Outcome::kDone)
+    fmt::print("  all steps were done, but not by all robots\n");
   if (const robot::Punctuality* const robots = run.fleet().punctuality()) {
     fmt::print(
         "  in real time: {} of {} robot-cycles came too late ({:.1f} %), robots stood for {} of them\n",
@@ -199,8 +201,10 @@ void RunScreen::show_summary(const run::MissionRun& run, const std::string& outc
     }
     const geom::Point at = run.fleet().pose(robot).position;
     const binding::BodyState body = run.world().body(robot.body);
-    fmt::print("  robot {}: {:>8} at ({:.1f}, {:.1f}), drove {:.1f} m, {}\n", robot.id.value,
-               name(robot.life), at.x, at.y, body.distance_driven, base::counted(body.contacts, "collision"));
+    const std::string failure = failure_of(robot);
+    fmt::print("  robot {}: {:>8} at ({:.1f}, {:.1f}), drove {:.1f} m, {}{}{}\n", robot.id.value,
+               name(robot.life), at.x, at.y, body.distance_driven, base::counted(body.contacts, "collision"),
+               failure.empty() ? "" : "; it failed: ", failure);
   }
   if (shown_robots > kMostRobots)
     fmt::print("  ... and {} more; {} in all\n", shown_robots - kMostRobots,
