@@ -136,6 +136,12 @@ TEST_F(Resumed, ARunEndsAsIfNobodyHadKilledIt) {
     server.kill();
   }
   {
+    Server server(setup({"short.mdl"}));
+    ASSERT_NE(server.port(), 0) << server.printed();
+    EXPECT_TRUE(server.prints("A run of short.mdl that did not end stands at")) << server.printed();
+    EXPECT_EQ(server.end(), 0) << server.printed();
+  }
+  {
     Server server(setup({"--resume", "--report", "resumed.json"}));
     ASSERT_NE(server.port(), 0) << server.printed();
     EXPECT_TRUE(server.prints("short.mdl goes on as it stood at")) << server.printed();

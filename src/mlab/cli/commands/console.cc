@@ -457,10 +457,20 @@ int resume_run(RunOptions options) {
   return run_console(options, found->path);
 }
 
+// Who starts a mission anew may not know that it stands somewhere in between.
+void mention_resumable(const RunOptions& options) {
+  if (options.edits || !options.recording.empty() || options.mission.empty()) return;
+  const auto found = find_resumable(options);
+  if (!found || found->stand.progress.time() <= 0.0) return;
+  fmt::print("A run of {} that did not end stands at {:.1f} s: with --resume it goes on.\n",
+             text::shown(found->stand.session.mission()), found->stand.progress.time());
+}
+
 }  // namespace
 
 int run_console(const RunOptions& options) {
   if (options.resume) return resume_run(options);
+  mention_resumable(options);
   return run_console(options, "");
 }
 

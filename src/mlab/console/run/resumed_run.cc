@@ -54,7 +54,7 @@ ResumedRun resume_run(const journal::Kept& kept, const ResumeParts& parts,
   const std::string file = kept.stand.session.recording();
   go_to_recorded(file, *kept.history);
   if (std::string why = kept.history->why_not_gone_on(); !why.empty()) {
-    out.why = fmt::format("the run can't be gone on with: {}", why);
+    out.why = std::move(why);
     return out;
   }
   text::Diagnostics problems;
