@@ -1,4 +1,5 @@
 // How a robot is, in a word, from the flags of its record.
+import type { Status } from "../../core/protocol.ts";
 import { Flag, Life, type RobotTable } from "../../core/robots.ts";
 
 export interface RobotState {
@@ -18,6 +19,14 @@ export function robotState(flags: number): RobotState {
   if (flags & Flag.DONE) return { word: "Done", tone: "go" };
   if (life === Life.RUNNING) return { word: "Running", tone: "go" };
   return { word: "Not started", tone: "" };
+}
+
+/** Of a robot whose machine is not heard: how old what is shown of it is. */
+export function silenceOf(status: Status | null | undefined, robot: number): (RobotState & { title: string }) | null {
+  const machine = status?.silentMachines.find(({ robots }) => robots.includes(robot));
+  if (!machine) return null;
+  const word = `Silent ${Math.floor(machine.silent)} s`;
+  return { word, tone: "", title: `${word}: nothing is heard of machine ${machine.name}, what is shown is as old` };
 }
 
 /** Of these robots those that stand because of a fault. */

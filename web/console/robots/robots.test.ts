@@ -1,9 +1,9 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
-import { RosterSchema } from "../../core/protocol.ts";
+import { RosterSchema, StatusSchema } from "../../core/protocol.ts";
 import { Flag, Life } from "../../core/robots.ts";
 import { RosterIndex } from "../../core/roster.ts";
-import { robotState } from "./robot_state.ts";
+import { robotState, silenceOf } from "./robot_state.ts";
 import { rosterRows, selectedKeys, selectionOf } from "./rows.ts";
 
 const roster = new RosterIndex(
@@ -17,6 +17,13 @@ const roster = new RosterIndex(
   }),
 );
 const keys = (query: string, folded: string[] = []) => rosterRows(roster, query, new Set(folded)).map((row) => row.key);
+
+it("tells how old what is shown of a robot is whose machine is silent", () => {
+  const status = create(StatusSchema, { silentMachines: [{ name: "north", silent: 22.4, robots: [1, 3] }] });
+  expect(silenceOf(status, 3)).toMatchObject({ word: "Silent 22 s", tone: "", title: expect.stringContaining("north") });
+  expect(silenceOf(status, 2)).toBeNull();
+  expect(silenceOf(undefined, 1)).toBeNull();
+});
 
 describe("the list of units and robots", () => {
   it("shows units with what is in them, and loose robots at the end", () => {

@@ -227,6 +227,7 @@ void Publisher::tell_status(ToBrowser& out) const {
     told.set_silent(one.silent);
     told.set_patience(one.patience);
     told.set_is_waited_for(one.is_waited_for);
+    for (const base::RobotId robot : one.robots) told.add_robots(robot.value);
   }
   status.set_speed(run_.pace().speed());
   status.set_speed_reached(run_.meter().speed(wall));

@@ -53,9 +53,10 @@ struct Punctuality {
 /// A machine that carries robots, of which nothing is heard at present.
 struct SilentMachine {
   std::string name;
-  double silent = 0.0;        ///< since it was heard last [s]
-  double patience = 0.0;      ///< after so long it is given up [s]
-  bool is_waited_for = true;  ///< the run stands until it is back
+  double silent = 0.0;                ///< since it was heard last [s]
+  double patience = 0.0;              ///< after so long it is given up [s]
+  bool is_waited_for = true;          ///< the run stands until it is back
+  std::vector<base::RobotId> robots;  ///< that it carries
 };
 
 /// Runs the programs of robots, all at one kind of place: in this process, in cells beside it. They turn

@@ -261,9 +261,13 @@ std::vector<robot::SilentMachine> RemoteRunner::silent_machines() const {
   std::vector<robot::SilentMachine> out;
   for (const Carrier& carrier : carriers_) {
     if (carrier.is_given_up || carrier.robots == 0 || !carrier.agent->failure().empty()) continue;
-    if (const double silent = carrier.agent->silence(); silent > 0.0)
-      out.push_back(
-          {carrier.agent->name(), silent, carrier.agent->patience_with_silence(), waits_for_silent()});
+    const double silent = carrier.agent->silence();
+    if (!(silent > 0.0)) continue;
+    out.push_back(
+        {carrier.agent->name(), silent, carrier.agent->patience_with_silence(), waits_for_silent(), {}});
+    for (const Robot& robot : members_) {
+      if (robot.carrier == &carrier) out.back().robots.push_back(robot.values.robot());
+    }
   }
   return out;
 }
