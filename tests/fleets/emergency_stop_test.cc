@@ -24,6 +24,20 @@ class EmergencyStop : public Fleets {
     const auto ending = out.wait(kFleetPatience);
     return {ending ? ending->words() : "none", out.output(), out.errors()};
   }
+  void stop_and_release(const std::vector<const Process*>& agents) {
+    EXPECT_EQ(fleet({"--stop"}).ending, "exit status 0");
+    EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+    for (const Process* one : agents)
+      EXPECT_TRUE(one->prints("the emergency stop was released by base", kFleetPatience)) << one->output();
+  }
+  bool both_stand() {
+    for (const auto end = network::Clock::now() + kFleetPatience; network::Clock::now() < end;) {
+      const std::string table = fleet({"--once"}).output;
+      const auto first = table.find("STOPPED");
+      if (first != std::string::npos && table.find("STOPPED", first + 1) != std::string::npos) return true;
+    }
+    return false;
+  }
   Process errand(const std::vector<std::string>& more) {
     return run(base::source_folder() + "/tests/fleets/errand/errand.mdl", more);
   }
@@ -189,6 +203,43 @@ TEST_F(EmergencyStop, MissesNobodyWhoLeftInOrder) {
   const Said stopped = fleet({"--stop"});
   EXPECT_EQ(stopped.ending, "exit status 0") << stopped.errors;
   EXPECT_NE(stopped.output.find("1 of 1 agents"), std::string::npos) << stopped.output;
+}
+
+TEST_F(EmergencyStop, IsNotReleasedByAReleaseOfAnEarlierOne) {
+  make_network(41);
+  const Process north = agent("north");
+  Process before = agent("south");
+  stop_and_release({&north, &before});
+  net().isolate(net().host("north"));
+  ASSERT_TRUE(before.signal(SIGTERM));
+  ASSERT_TRUE(before.wait(kFleetPatience));
+  const Process south = agent("south");  // it knows of nothing any more
+  const Said stopped = fleet({"--stop"});
+  EXPECT_NE(stopped.output.find("1 of 1 agents"), std::string::npos) << stopped.output;
+  net().join(net().host("north"));
+  EXPECT_TRUE(both_stand()) << north.output() << south.output();
+  EXPECT_EQ(south.output().find("released"), std::string::npos) << south.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+}
+
+TEST_F(EmergencyStop, ThatCannotBeReadAnyMoreIsNotReleasedByWhatWasBefore) {
+  make_network(42);
+  const Process north = agent("north");
+  Process before = agent("south");
+  stop_and_release({&north, &before});
+  net().isolate(net().host("north"));
+  fleet({"--stop"});
+  ASSERT_TRUE(before.signal(SIGKILL));
+  ASSERT_TRUE(before.wait(kFleetPatience));
+  std::ofstream(net().host("south").path(std::string(kAgentState) + "/mlab/agents/alpha@south.stop"))
+      << "garbage";
+  const Process south = agent("south");
+  EXPECT_TRUE(south.prints("can't be read: it still holds", kFleetPatience)) << south.output();
+  net().join(net().host("north"));
+  EXPECT_TRUE(both_stand()) << north.output() << south.output();
+  EXPECT_EQ(south.output().find("released"), std::string::npos) << south.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+  EXPECT_TRUE(south.prints("the emergency stop was released by base", kFleetPatience)) << south.output();
 }
 
 TEST_F(EmergencyStop, OfNobodyIsSaidToBeSo) {

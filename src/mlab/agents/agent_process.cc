@@ -87,9 +87,9 @@ class AgentProcess {
     Clock::time_point next_beat = Clock::now();
     if (const auto why = stop_file_.why_not_kept())
       settings_.log->add(fmt::format("warning: an emergency stop will not outlive this agent: {}", *why));
-    if (stop_.is_engaged)
+    if (stop_.is_engaged())
       settings_.log->add(
-          fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by));
+          fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by()));
     std::optional<std::string> problem;
     while (!stop.stop_requested() && !problem) {
       if (Clock::now() >= next_beat) {
@@ -235,31 +235,31 @@ class AgentProcess {
     missed_.say(missed_among(std::move(others), stop_, Clock::now()));
   }
 
-  void heed(std::optional<StopState> state) {
-    if (!state || !state->overrides(stop_)) return;
-    const bool was_stopped = stop_.is_engaged;
-    stop_ = std::move(*state);
-    is_stopped_ = stop_.is_engaged;
+  void heed(const std::optional<StopState>& state) {
+    if (!state) return;
+    const bool was_stopped = stop_.is_engaged();
+    const Learnt learnt = stop_.learn(*state);
+    if (learnt == Learnt::kNothing) return;
+    is_stopped_ = stop_.is_engaged();
     for (auto& [key, conversation] : conversations_) conversation->look_at_stop();
     if (const auto problem = stop_file_.write(stop_))
       settings_.log->add(fmt::format("the emergency stop will not outlive this agent: {}", *problem));
     say_presence();
     tell_whom_it_misses();
     if (settings_.tell_stop) settings_.tell_stop();
-    if (stop_.is_engaged)
-      settings_.log->add(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by));
-    else if (was_stopped)
-      settings_.log->add(fmt::format("the emergency stop was released by {}", stop_.by));
+    if (learnt == Learnt::kStop)
+      settings_.log->add(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by()));
+    else if (was_stopped && !stop_.is_engaged())
+      settings_.log->add(fmt::format("the emergency stop was released by {}", stop_.by()));
   }
 
   // Who has not heard of the release holds the stop still; it is kept as long as there may be somebody.
   void forget_what_all_have_released() {
-    if (stop_.is_engaged) return;
+    if (stop_.is_engaged()) return;
     const Clock::time_point now = Clock::now();
     const auto may_hold_it = [&](const Member& one) {
-      const auto there = decode(one.said.stop());
       const bool is_forgotten = one.state == Member::State::kGone && now - one.heard >= kMissedFor;
-      return !one.has_left && !is_forgotten && !(there && there->is_same(stop_));
+      return !one.has_left && !is_forgotten && !has_confirmed(one.said.stop(), stop_);
     };
     if (std::ranges::none_of(roster_->members(), may_hold_it)) stop_file_.remove();
   }
@@ -341,7 +341,7 @@ class AgentProcess {
   MissedTeller missed_;
   StopFile stop_file_{settings_.stop_file};
   StopState stop_ = stop_file_.read();
-  std::atomic<bool> is_stopped_ = stop_.is_engaged;
+  std::atomic<bool> is_stopped_ = stop_.is_engaged();
   Clock::time_point began_ = Clock::now();
   Clock::time_point next_presence_;
   Load said_load_;

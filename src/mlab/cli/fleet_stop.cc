@@ -20,8 +20,8 @@ class FleetStopLine final : public run::StopLine {
                 const std::string& identity)
       : roster_(std::move(roster)), all_(std::move(all)), withdrawals_(identity) {}
   State state() const override {
-    agents::StopState state = all_->state();
-    return {state.is_engaged, std::move(state.by)};
+    const agents::StopState state = all_->state();
+    return {state.is_engaged(), state.by()};
   }
   void hear() override { all_->hear_agents(); }
   void settle() override {

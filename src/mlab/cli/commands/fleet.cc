@@ -166,8 +166,8 @@ int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> ros
   const Clock::time_point last = Clock::now() + kStopPatience;
   bool is_said = options.stop;
   while (!was_interrupted() && Clock::now() < last) {
-    // Its number is known from those who hold it.
-    if (!is_said && (*stop)->state().is_engaged) {
+    // What is to be released is known from those who hold it.
+    if (!is_said && (*stop)->state().is_engaged()) {
       (*stop)->release(stopping_person());
       is_said = true;
     }
@@ -184,6 +184,14 @@ int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> ros
   if (!is_said) {
     fmt::print("the fleet `{}` is not stopped\n", fleet);
     return kDone;
+  }
+  if (const agents::StopState holds = (*stop)->state(); !options.stop && holds.is_engaged()) {
+    fmt::print(
+        stderr,
+        "mlab fleet: the fleet `{}` still stands: another emergency stop, by {}, was not known of when "
+        "the one before was released; --release again releases both\n",
+        fleet, holds.by());
+    return kFailed;
   }
   fmt::print("{}: {} of {} agents of the fleet `{}` have confirmed\n",
              options.stop ? "EMERGENCY STOP" : "the emergency stop is released", count - unreached.size(),
