@@ -52,5 +52,16 @@ TEST_F(Command, HintsCanBePasted) {
   EXPECT_TRUE(has(o.out, " --network 127.0.0.1` starts an agent")) << o.out << o.err;
 }
 
+TEST_F(Command, AHostIsNotedOnlyWhereItDoesNotCount) {
+  write("hosts.mdl",
+        "NEW-ROBOT scout \"robot\" green \"north\"\nUNIT <a> scout\nCOMMAND LIST:\n0. UNIT b START Here\n");
+  const Outcome here = mlab("run hosts.mdl --headless", "timeout 60");
+  EXPECT_TRUE(has(here.err, "host-needs-fleet")) << here.err;
+  const Outcome there = mlab(
+      "run hosts.mdl --headless --robots fleet --fleet nobody-" + std::to_string(::getpid()), "timeout 60");
+  EXPECT_FALSE(has(there.err, "host-needs-fleet")) << there.err;
+  EXPECT_TRUE(has(there.err, "unknown-unit")) << there.err;
+}
+
 }  // namespace
 }  // namespace mlab

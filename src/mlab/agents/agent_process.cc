@@ -26,6 +26,7 @@
 #include "mlab/robot/remote/agent.h"
 #include "mlab/robot/wire/arithmetic.h"
 #include "mlab/robot/wire/shared_cycle.h"
+#include "mlab/text/member_name.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::agents {
@@ -360,9 +361,8 @@ std::string machine_name() {
 
 std::optional<std::string> serve_as_agent(const AgentSettings& settings, const std::stop_token& stop) {
   if (!is_agent_name(settings.name))
-    return fmt::format(
-        "`{}` can't be the name of an agent: 1 to 64 letters, digits, `-`, `_` and `.`, not dots alone",
-        text::shown(settings.name));
+    return fmt::format("`{}` can't be the name of an agent: {}", text::shown(settings.name),
+                       text::kMemberNameRule);
   std::optional<robot::ExecutableOrigin> executable;
   if (!settings.offered.empty()) {
     auto program = robot::load_offered(settings.offered, settings.sources);

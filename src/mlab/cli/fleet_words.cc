@@ -6,6 +6,7 @@
 
 #include "mlab/agents/roster.h"
 #include "mlab/cli/fleet_network.h"
+#include "mlab/text/member_name.h"
 #include "mlab/text/shell_word.h"
 #include "mlab/text/shown.h"
 
@@ -48,9 +49,7 @@ std::string release_command(const NetworkOptions& options) {
 
 std::string refuse_unless_name(const std::string& text) {
   if (agents::is_agent_name(text)) return "";
-  return fmt::format(
-      "`{}` can't be a name here: expected 1 to 64 letters, digits, `-`, `_` and `.`, not dots alone",
-      text::shown(text));
+  return fmt::format("`{}` can't be a name here: expected {}", text::shown(text), text::kMemberNameRule);
 }
 
 }  // namespace mlab::cli

@@ -159,6 +159,16 @@ robot::ProgramSources mission_sources(const RunOptions& options, const cell::Per
   return out;
 }
 
+text::Diagnostics told_of_run(const text::Diagnostics& all, const RunOptions& options) {
+  const bool is_complete = all.items().size() == all.error_count() + all.warning_count() + all.note_count();
+  if (options.robots != RobotsAt::kFleet || !is_complete) return all;
+  text::Diagnostics out;
+  for (const text::Diagnostic& one : all.items()) {
+    if (one.kind != "host-needs-fleet") out.report(one);
+  }
+  return out;
+}
+
 mdl::LoadOptions load_options(const RunOptions& options, robot::ProgramSources sources) {
   mdl::LoadOptions out;
   out.seed = options.seed;

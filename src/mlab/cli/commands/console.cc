@@ -172,7 +172,7 @@ Look look_at(const RunOptions& options, run::RunSettings& settings) {
     out.is_usable = changes.has_value() && !sink.has_errors();
     settings.environment = changes.value_or(overlay::EnvironmentChanges{});
   }
-  tell(sink);
+  tell(told_of_run(sink, options));
   out.warnings = sink.warning_count();
   return out;
 }

@@ -99,7 +99,7 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
     }
     if (!sink.has_errors()) out.run = out.bodies.make_run(mission, sources, settings, sink);
   }
-  tell(sink);
+  tell(told_of_run(sink, options));
   if (!out.run) return std::nullopt;
   if (options.strict && sink.warning_count() > 0) {
     fmt::print(stderr, "mlab run: not run, because of {} and --strict\n",
