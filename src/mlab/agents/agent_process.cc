@@ -75,7 +75,7 @@ class AgentProcess {
   /// @errors  a sentence: the vehicle can't be offered
   std::optional<std::string> board() {
     if (!settings_.vehicle) return std::nullopt;
-    auto begun = settings_.vehicle->begin(roster_->participant(), [this] { return is_stopped_.load(); });
+    auto begun = settings_.vehicle->begin(roster_->participant(), [this] { return has_to_stand(); });
     if (!begun) return begun.error();
     vehicle_ = std::move(*begun);
     return std::nullopt;
@@ -119,6 +119,9 @@ class AgentProcess {
   }
 
  private:
+  // Asked by any thread.
+  bool has_to_stand() const { return is_stopped_ || (settings_.must_stand && settings_.must_stand()); }
+
   /// A run may begin many conversations, and another one the same.
   using Key = std::pair<dds::Guid, std::string>;
 
@@ -153,7 +156,7 @@ class AgentProcess {
     const auto writer = std::make_shared<dds::Writer>(std::move(*answers));
     return std::make_unique<Conversation>(
         robot_remote::AgentTerms{settings_.sources, settings_.offered, settings_.vehicle.has_value(),
-                                 [this] { return is_stopped_.load(); },
+                                 [this] { return has_to_stand(); },
                                  [this] { return settings_.log->lines(); }},
         std::move(*waiter), std::move(branch),
         [writer, key, is_met = false](std::string_view message,

@@ -16,6 +16,7 @@
 
 #include "mlab/agents/agent_log.h"
 #include "mlab/agents/echo.h"
+#include "mlab/agents/ending_watchdog.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/stop_switch.h"
 #include "mlab/cli/clock.h"
@@ -153,30 +154,24 @@ std::string listed(const std::vector<agents::StopSwitch::Unreached>& agents) {
 }
 
 // Says it until all have heard. Who has not been found when this begins hears it as soon as he is.
-int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> roster) {
-  const std::shared_ptr<agents::Roster> all = roster;
-  auto stop = agents::StopSwitch::open(std::move(roster));
-  if (!stop) {
-    fmt::print(stderr, "mlab fleet: {}\n", stop.error());
-    return kFailed;
-  }
-  if (options.stop) (*stop)->engage(stopping_person());
-  wait_for_agents(*all);
+int switch_stop(const FleetOptions& options, const agents::Roster& roster, agents::StopSwitch& stop) {
+  if (options.stop) stop.engage(stopping_person());
+  wait_for_agents(roster);
   const Clock::time_point first = Clock::now() + kAllFound;
   const Clock::time_point last = Clock::now() + kStopPatience;
   bool is_said = options.stop;
   while (!was_interrupted() && Clock::now() < last) {
     // What is to be released is known from those who hold it.
-    if (!is_said && (*stop)->state().is_engaged()) {
-      (*stop)->release(stopping_person());
+    if (!is_said && stop.state().is_engaged()) {
+      stop.release(stopping_person());
       is_said = true;
     }
-    if (Clock::now() >= first && (!is_said || (*stop)->unreached().empty())) break;
+    if (Clock::now() >= first && (!is_said || stop.unreached().empty())) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  const std::string& fleet = all->fleet();
-  const auto unreached = (*stop)->unreached();
-  const std::size_t count = std::max((*stop)->agent_count(), unreached.size());  // which others may add to
+  const std::string& fleet = roster.fleet();
+  const auto unreached = stop.unreached();
+  const std::size_t count = std::max(stop.agent_count(), unreached.size());  // which others may add to
   if (count == 0) {
     fmt::print(stderr, "mlab fleet: nobody is there in the fleet `{}`\n", fleet);
     return kFailed;
@@ -185,7 +180,7 @@ int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> ros
     fmt::print("the fleet `{}` is not stopped\n", fleet);
     return kDone;
   }
-  if (const agents::StopState holds = (*stop)->state(); !options.stop && holds.is_engaged()) {
+  if (const agents::StopState holds = stop.state(); !options.stop && holds.is_engaged()) {
     fmt::print(
         stderr,
         "mlab fleet: the fleet `{}` still stands: another emergency stop, by {}, was not known of when "
@@ -257,13 +252,19 @@ int tell_problem(const std::string& problem) {
 
 int show_fleet(const FleetOptions& options) {
   note_interrupts();
-  if (options.stop || options.release) {
-    auto roster = join(options);
-    return roster ? switch_stop(options, *roster) : tell_problem(roster.error());
+  const bool is_about_stop = options.stop || options.release;
+  agents::EndingWatchdog watchdog("mlab fleet", [&]() -> std::optional<int> {
+    return was_interrupted() ? std::optional(is_about_stop ? kFailed : kDone) : std::nullopt;
+  });
+  if (is_about_stop) {
+    const auto roster = join(options);
+    if (!roster) return tell_problem(roster.error());
+    const auto stop = agents::StopSwitch::open(*roster);
+    return watchdog.expect_end(stop ? switch_stop(options, **roster, **stop) : tell_problem(stop.error()));
   }
   if (!options.log.empty()) {
     const auto roster = join(options);
-    return roster ? show_log(*roster, options.log) : tell_problem(roster.error());
+    return watchdog.expect_end(roster ? show_log(*roster, options.log) : tell_problem(roster.error()));
   }
   keys::WithdrawalWatch withdrawals(identity_folder(options.network));
   auto view = look(options);
@@ -275,7 +276,7 @@ int show_fleet(const FleetOptions& options) {
     const std::string text = options.json ? json_of(fleet, members, *view->links)
                                           : table_of(fleet, members, *view->links, options.network);
     const bool is_read = write_output_now(is_live ? "\x1b[H\x1b[2J" + text : text);
-    if (!is_live || !is_read || was_interrupted()) return kDone;
+    if (!is_live || !is_read || was_interrupted()) return watchdog.expect_end(kDone);
     view->links->measure(kBetweenLooks);
     if (!withdrawals.has_changed()) continue;
     view = View{};  // who was withdrawn hears nothing from here on
