@@ -247,6 +247,7 @@ TEST_F(EmergencyStop, OfNobodyIsSaidToBeSo) {
   const Said nobody = fleet({"--stop"});
   EXPECT_EQ(nobody.ending, "exit status 1");
   EXPECT_NE(nobody.errors.find("nobody is there in the fleet `alpha`"), std::string::npos) << nobody.errors;
+  EXPECT_EQ(nobody.errors.find("loopback"), std::string::npos) << "it is not on loopback: " << nobody.errors;
   const Process north = agent("north");
   const Said nothing = fleet({"--release"});
   EXPECT_EQ(nothing.ending, "exit status 0");

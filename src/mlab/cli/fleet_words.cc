@@ -2,6 +2,9 @@
 
 #include <arpa/inet.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include <fmt/core.h>
 
 #include "mlab/agents/roster.h"
@@ -41,6 +44,19 @@ std::string fleet_options_elsewhere(const NetworkOptions& options) {
     out += " --network " +
            (is_address(options.interface_name) ? "ADDRESS" : text::shell_word(options.interface_name));
   return out + peers_of(options) + (options.is_secure ? " --secure" : "");
+}
+
+std::string who_is_not_seen(const NetworkOptions& options) {
+  std::string out;
+  if (options.interface_name.empty())
+    out +=
+        "; whoever takes part over another interface than loopback is seen with the same `--network` as his";
+  NetworkOptions secured = options;
+  secured.is_secure = true;
+  std::error_code failure;
+  if (!options.is_secure && std::filesystem::exists(identity_folder(secured), failure))
+    out += "; this machine has an identity of that fleet: its secured members are seen with `--secure`";
+  return out;
 }
 
 std::string release_command(const NetworkOptions& options) {

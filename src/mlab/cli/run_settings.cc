@@ -107,7 +107,8 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
   auto stop_line = fleet_stop_line(*roster, name_of_run(options), identity_folder(network));
   if (!stop_line) return stop_line.error();
   out.settings.stop_line = std::move(*stop_line);
-  const agents::StartHints hints{fleet_options(network), fleet_options_elsewhere(network)};
+  const agents::StartHints hints{fleet_options(network), fleet_options_elsewhere(network),
+                                 who_is_not_seen(network)};
   out.settings.robots_elsewhere = [roster = *roster, hints, is_live = options.real_time](
                                       std::uint64_t seed, double cycle_duration) {
     return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0, hints);

@@ -83,8 +83,8 @@ std::string clock_of(const std::optional<agents::LinkQuality>& link) {
 std::string table_of(const std::string& fleet, const std::vector<Member>& members,
                      const agents::EchoProbe& links, const NetworkOptions& network) {
   if (members.empty())
-    return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}{1}` starts an agent\n", fleet,
-                       fleet_options(network));
+    return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}{1}` starts an agent{2}\n",
+                       fleet, fleet_options(network), who_is_not_seen(network));
   std::string out = fmt::format("{:<16} {:<16} {:<18} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n",
                                 "AGENT", "MACHINE", "STATE", "ROUND TRIP", "CLOCK", "ROBOTS", "RUNS", "LOAD",
                                 "FREE MEMORY", "UP", "VERSION");
@@ -173,7 +173,8 @@ int switch_stop(const FleetOptions& options, const agents::Roster& roster, agent
   const auto unreached = stop.unreached();
   const std::size_t count = std::max(stop.agent_count(), unreached.size());  // which others may add to
   if (count == 0) {
-    fmt::print(stderr, "mlab fleet: nobody is there in the fleet `{}`\n", fleet);
+    fmt::print(stderr, "mlab fleet: nobody is there in the fleet `{}`{}\n", fleet,
+               who_is_not_seen(options.network));
     return kFailed;
   }
   if (!is_said) {
