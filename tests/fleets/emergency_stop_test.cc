@@ -242,6 +242,27 @@ TEST_F(EmergencyStop, ThatCannotBeReadAnyMoreIsNotReleasedByWhatWasBefore) {
   EXPECT_TRUE(south.prints("the emergency stop was released by base", kFleetPatience)) << south.output();
 }
 
+TEST_F(EmergencyStop, ThatAnAgentCannotKeepIsSaidToBeSo) {
+  make_network(43);
+  // No file takes a byte there, as on a disk that is full.
+  const Process north = net().host("north").start(
+      {"sh", "-c", "trap '' XFSZ; ulimit -f 0; exec \"$0\" \"$@\"", MLAB_COMMAND, "agent", "--fleet", "alpha",
+       "--name", "north", "--network", net().host("north").address()},
+      {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+  ASSERT_TRUE(north.prints("warning: an emergency stop will not outlive this agent", kFleetPatience))
+      << north.output() << north.errors();
+  const Process south = agent("south");
+  const Said stopped = fleet({"--stop"});
+  EXPECT_EQ(stopped.ending, "exit status 0") << stopped.errors;
+  EXPECT_NE(stopped.output.find("2 of 2 agents"), std::string::npos) << stopped.output;
+  EXPECT_NE(stopped.errors.find("not kept by `north` ("), std::string::npos) << stopped.errors;
+  EXPECT_EQ(stopped.errors.find("`south`"), std::string::npos) << stopped.errors;
+  EXPECT_NE(fleet({"--once"}).output.find("STOPPED, not kept"), std::string::npos);
+  Process far = errand({"--real-time"});
+  EXPECT_TRUE(far.prints("alert: the emergency stop is not kept by `north`", kFleetPatience)) << far.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+}
+
 TEST_F(EmergencyStop, OfNobodyIsSaidToBeSo) {
   make_network(35);
   const Said nobody = fleet({"--stop"});

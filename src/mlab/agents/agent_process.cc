@@ -99,6 +99,7 @@ class AgentProcess {
         hear_of_stop_from_others();
         tell_whom_it_misses();
         forget_what_all_have_released();
+        if (!not_kept_.empty()) keep_again();
         next_beat = Clock::now() + kBeat;
       }
       waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
@@ -246,8 +247,7 @@ class AgentProcess {
     if (learnt == Learnt::kNothing) return;
     is_stopped_ = stop_.is_engaged();
     for (auto& [key, conversation] : conversations_) conversation->look_at_stop();
-    if (const auto problem = stop_file_.write(stop_))
-      settings_.log->add(fmt::format("the emergency stop will not outlive this agent: {}", *problem));
+    keep();
     say_presence();
     tell_whom_it_misses();
     if (settings_.tell_stop) settings_.tell_stop();
@@ -255,6 +255,27 @@ class AgentProcess {
       settings_.log->add(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by()));
     else if (was_stopped && !stop_.is_engaged())
       settings_.log->add(fmt::format("the emergency stop was released by {}", stop_.by()));
+  }
+
+  void keep() {
+    const bool was_kept = not_kept_.empty();
+    const auto problem = stop_file_.write(stop_);
+    not_kept_ = problem && stop_.is_engaged() ? *problem : "";
+    if (!not_kept_.empty())
+      settings_.log->add(fmt::format("the emergency stop will not outlive this agent: {}", not_kept_));
+    else if (problem && was_kept && stop_file_.read().is_engaged())
+      settings_.log->add(fmt::format(
+          "the release of the emergency stop can't be kept: {}; it holds again when this agent is started "
+          "again",
+          *problem));
+  }
+
+  // There may be room by now.
+  void keep_again() {
+    if (stop_file_.write(stop_)) return;
+    not_kept_.clear();
+    settings_.log->add("the emergency stop is kept from now on: it outlives this agent");
+    say_presence();
   }
 
   // Who has not heard of the release holds the stop still; it is kept as long as there may be somebody.
@@ -308,6 +329,7 @@ class AgentProcess {
   void say_presence() {
     wire::AgentPresence said;
     encode(stop_, *said.mutable_stop());
+    said.set_not_kept(not_kept_);
     said.set_protocol(robot_remote::kAgentProtocol);
     said.set_version(settings_.sources.version);
     said.set_layout(robot_wire::shared_layout());
@@ -346,6 +368,7 @@ class AgentProcess {
   StopFile stop_file_{settings_.stop_file};
   StopState stop_ = stop_file_.read();
   std::atomic<bool> is_stopped_ = stop_.is_engaged();
+  std::string not_kept_;  // why the stop that holds would be forgotten in a restart; empty: it would not be
   Clock::time_point began_ = Clock::now();
   Clock::time_point next_presence_;
   Load said_load_;

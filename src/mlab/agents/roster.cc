@@ -22,6 +22,7 @@ std::optional<wire::AgentPresence> checked(const dds::Arrival& arrival) {
     return std::nullopt;
   out.set_host(text::shown(out.host(), 64));
   out.set_version(text::shown(out.version(), 32));
+  out.set_not_kept(text::shown(out.not_kept(), 200));
   if (out.has_offered()) {
     if (out.offered().source() == 0) return std::nullopt;
     out.mutable_offered()->set_name(text::shown(out.offered().name(), 64));

@@ -202,29 +202,35 @@ StopState StopFile::read() const {
   return std::move(*state);
 }
 
+std::optional<std::string> StopFile::write_beside(const std::string& bytes) const {
+  if (path_.empty()) return "there is no folder to keep it in: neither XDG_STATE_HOME nor HOME names one";
+  std::error_code error;
+  fs::create_directories(fs::path(path_).parent_path(), error);
+  const int problem = write_whole(fresh(), bytes);
+  if (problem == 0) return std::nullopt;
+  fs::remove(fresh(), error);
+  return fmt::format("{} can't be written: {}", path_, reason(problem));
+}
+
 std::optional<std::string> StopFile::write(const StopState& state) const {
-  if (path_.empty()) return std::nullopt;
   wire::EmergencyStop message;
   encode(state, message);
-  const fs::path folder = fs::path(path_).parent_path();
+  if (auto problem = write_beside(message.SerializeAsString())) return problem;
   std::error_code error;
-  fs::create_directories(folder, error);
-  const std::string fresh = path_ + ".new";
-  if (const int problem = write_whole(fresh, message.SerializeAsString()); problem != 0)
-    return fmt::format("{} can't be written: {}", fresh, reason(problem));
-  fs::rename(fresh, path_, error);
+  std::error_code leftover;
+  fs::rename(fresh(), path_, error);
+  if (error) fs::remove(fresh(), leftover);
   if (error) return fmt::format("{} can't be written: {}", path_, error.message());
-  sync_folder(folder);
+  sync_folder(fs::path(path_).parent_path());
   return std::nullopt;
 }
 
 std::optional<std::string> StopFile::why_not_kept() const {
-  if (path_.empty()) return "there is no folder to keep it in: neither XDG_STATE_HOME nor HOME names one";
-  const fs::path folder = fs::path(path_).parent_path();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (::access(folder.c_str(), W_OK | X_OK) == 0) return std::nullopt;
-  return fmt::format("{} can't be written: {}", folder.string(), reason(errno));
+  constexpr std::size_t kAmple = 4096;  // [bytes]; more than any state takes
+  auto problem = write_beside(std::string(kAmple, '\0'));
+  std::error_code failure;
+  if (!path_.empty()) fs::remove(fresh(), failure);
+  return problem;
 }
 
 void StopFile::remove() const {

@@ -64,18 +64,22 @@ bool has_confirmed(const wire::EmergencyStop& said, const StopState& wanted);
 /// Where an agent keeps it, so that it outlives the agent.
 class StopFile {
  public:
-  /// @param path  empty: it is not kept
+  /// @param path  empty: it can't be kept
   explicit StopFile(std::string path) : path_(std::move(path)) {}
   /// What was kept last; one that can't be read counts as engaged, and by whom says why.
   StopState read() const;
-  /// On the disk when this comes back. @errors  a sentence
+  /// On the disk when this comes back. @errors  a sentence; what was kept before is left, and nothing else
   std::optional<std::string> write(const StopState& state) const;
   /// Where there is one.
   void remove() const;
-  /// Why it will not outlive the agent, as far as that can be known before; nothing: it will.
+  /// Why it will not outlive the agent, as far as that can be known before; nothing: it will. Tries to write
+  /// beside it.
   std::optional<std::string> why_not_kept() const;
 
  private:
+  std::optional<std::string> write_beside(const std::string& bytes) const;
+  std::string fresh() const { return path_ + ".new"; }
+
   std::string path_;
 };
 

@@ -1,11 +1,14 @@
 #include "mlab/agents/stop_state.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -308,7 +311,47 @@ TEST_F(StopFiles, ThatCannotBeWrittenSaySo) {
   const auto problem = StopFile(path() + "/below").write(pulled({}, "anna"));
   ASSERT_TRUE(problem);
   EXPECT_NE(problem->find("can't be written"), std::string::npos);
-  EXPECT_EQ(StopFile("").write(pulled({}, "anna")), std::nullopt) << "nobody wants it to be kept";
+  EXPECT_TRUE(StopFile("").write(pulled({}, "anna"))) << "there is no place for it";
+}
+
+// As on a disk that is full: no file takes a byte.
+class FullDisk {
+ public:
+  FullDisk() {
+    EXPECT_EQ(::getrlimit(RLIMIT_FSIZE, &before_), 0);
+    const rlimit none{0, before_.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before_{};
+};
+
+TEST_F(StopFiles, OnAFullDiskSaySoBeforeAndLeaveWhatWasThere) {
+  const StopFile file(path());
+  EXPECT_EQ(file.why_not_kept(), std::nullopt);
+  ASSERT_EQ(file.write(pulled({}, "anna")), std::nullopt);
+  std::optional<std::string> before;
+  std::optional<std::string> problem;
+  {
+    const FullDisk full;
+    before = file.why_not_kept();
+    problem = file.write(released(file.read(), "ben"));
+  }
+  ASSERT_TRUE(before && problem);
+  EXPECT_NE(before->find("can't be written"), std::string::npos) << *before;
+  EXPECT_NE(problem->find("can't be written"), std::string::npos) << *problem;
+  EXPECT_EQ(file.read().by(), "anna");
+  EXPECT_FALSE(std::filesystem::exists(path() + ".new"));
+  EXPECT_EQ(file.why_not_kept(), std::nullopt);
+  EXPECT_FALSE(std::filesystem::exists(path() + ".new"));
 }
 
 }  // namespace

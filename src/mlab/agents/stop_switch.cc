@@ -189,6 +189,18 @@ std::vector<StopSwitch::Unreached> StopSwitch::unreached() const {
   return out;
 }
 
+std::vector<StopSwitch::Forgetful> StopSwitch::forgetful() const {
+  const StopState wanted = state();
+  std::vector<Forgetful> out;
+  if (!wanted.is_engaged()) return out;
+  for (const Member& agent : roster_->members()) {
+    const bool is_there = agent.state != Member::State::kGone && !agent.said.not_kept().empty();
+    if (is_there && has_confirmed(agent.said.stop(), wanted))
+      out.push_back({agent.said.name(), agent.said.not_kept()});
+  }
+  return out;
+}
+
 std::size_t StopSwitch::agent_count() const {
   return static_cast<std::size_t>(std::ranges::count(roster_->members(), false, &Member::has_left)) +
          known_by_others().size();

@@ -47,6 +47,13 @@ class StopSwitch {
   /// By name. Agents that have left the fleet in order are not among them. One that was never heard here is
   /// where somebody else in the fleet misses it.
   std::vector<Unreached> unreached() const;
+  /// An agent that has confirmed the stop, and would forget it if it were started again.
+  struct Forgetful {
+    std::string name;
+    std::string why;  ///< for people
+  };
+  /// By name; nobody where it is not engaged.
+  std::vector<Forgetful> forgetful() const;
   /// With those that only others know of.
   std::size_t agent_count() const;
 

@@ -47,6 +47,7 @@ double seconds_since(Clock::time_point then) {
 std::string state_of(const Member& member) {
   switch (member.state) {
     case Member::State::kThere:
+      if (!member.said.not_kept().empty()) return "STOPPED, not kept";
       return member.said.stop().is_engaged() ? "STOPPED" : "there";
     case Member::State::kSilent:
       return "silent for " + age(seconds_since(member.heard));
@@ -120,6 +121,7 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
          {"machine", one.said.host()},
          {"state", kStates[static_cast<std::size_t>(one.state)]},
          {"is_stopped", one.said.stop().is_engaged()},
+         {"is_stop_kept", one.said.not_kept().empty()},
          {"heard_s_ago", seconds_since(one.heard)},
          {"link", json_of(links.quality(one.said.name()))},
          {"robots", one.said.robots()},
@@ -192,6 +194,8 @@ int switch_stop(const FleetOptions& options, const agents::Roster& roster, agent
   fmt::print("{}: {} of {} agents of the fleet `{}` have confirmed\n",
              options.stop ? "EMERGENCY STOP" : "the emergency stop is released", count - unreached.size(),
              count, fleet);
+  if (const std::string words = about_forgetful(stop.forgetful()); !words.empty())
+    fmt::print(stderr, "mlab fleet: warning: {}\n", words);
   if (unreached.empty()) return kDone;
   fmt::print(stderr, "mlab fleet: not confirmed by {}; each hears of it from the others when it is back\n",
              listed(unreached));
