@@ -52,5 +52,29 @@ TEST_F(Command, HintsCanBePasted) {
   EXPECT_TRUE(has(o.out, " --network 127.0.0.1` starts an agent")) << o.out << o.err;
 }
 
+TEST_F(Command, WhereNobodyIsSeenTheOptionsThatMayShowSomebodyAreNamed) {
+  const std::string fleet = "nobody-" + std::to_string(::getpid());
+  const std::string before = "XDG_STATE_HOME=\"$PWD/state\" timeout 60";
+  const Outcome open = mlab("fleet " + fleet + " --once", before);
+  EXPECT_TRUE(has(open.out, "another interface than loopback is seen with the same `--network`")) << open.out;
+  EXPECT_FALSE(has(open.out, "--secure")) << open.out;
+  ASSERT_EQ(mlab("keys " + fleet, before).status, 0);
+  const Outcome stop = mlab("fleet " + fleet + " --stop", before);
+  EXPECT_EQ(stop.status, 1);
+  EXPECT_TRUE(has(stop.err, "is seen with the same `--network`")) << stop.err;
+  EXPECT_TRUE(has(stop.err, "secured members are seen with `--secure`")) << stop.err;
+}
+
+TEST_F(Command, AHostIsNotedOnlyWhereItDoesNotCount) {
+  write("hosts.mdl",
+        "NEW-ROBOT scout \"robot\" green \"north\"\nUNIT <a> scout\nCOMMAND LIST:\n0. UNIT b START Here\n");
+  const Outcome here = mlab("run hosts.mdl --headless", "timeout 60");
+  EXPECT_TRUE(has(here.err, "host-needs-fleet")) << here.err;
+  const Outcome there = mlab(
+      "run hosts.mdl --headless --robots fleet --fleet nobody-" + std::to_string(::getpid()), "timeout 60");
+  EXPECT_FALSE(has(there.err, "host-needs-fleet")) << there.err;
+  EXPECT_TRUE(has(there.err, "unknown-unit")) << there.err;
+}
+
 }  // namespace
 }  // namespace mlab

@@ -24,6 +24,20 @@ class EmergencyStop : public Fleets {
     const auto ending = out.wait(kFleetPatience);
     return {ending ? ending->words() : "none", out.output(), out.errors()};
   }
+  void stop_and_release(const std::vector<const Process*>& agents) {
+    EXPECT_EQ(fleet({"--stop"}).ending, "exit status 0");
+    EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+    for (const Process* one : agents)
+      EXPECT_TRUE(one->prints("the emergency stop was released by base", kFleetPatience)) << one->output();
+  }
+  bool both_stand() {
+    for (const auto end = network::Clock::now() + kFleetPatience; network::Clock::now() < end;) {
+      const std::string table = fleet({"--once"}).output;
+      const auto first = table.find("STOPPED");
+      if (first != std::string::npos && table.find("STOPPED", first + 1) != std::string::npos) return true;
+    }
+    return false;
+  }
   Process errand(const std::vector<std::string>& more) {
     return run(base::source_folder() + "/tests/fleets/errand/errand.mdl", more);
   }
@@ -191,11 +205,70 @@ TEST_F(EmergencyStop, MissesNobodyWhoLeftInOrder) {
   EXPECT_NE(stopped.output.find("1 of 1 agents"), std::string::npos) << stopped.output;
 }
 
+TEST_F(EmergencyStop, IsNotReleasedByAReleaseOfAnEarlierOne) {
+  make_network(41);
+  const Process north = agent("north");
+  Process before = agent("south");
+  stop_and_release({&north, &before});
+  net().isolate(net().host("north"));
+  ASSERT_TRUE(before.signal(SIGTERM));
+  ASSERT_TRUE(before.wait(kFleetPatience));
+  const Process south = agent("south");  // it knows of nothing any more
+  const Said stopped = fleet({"--stop"});
+  EXPECT_NE(stopped.output.find("1 of 1 agents"), std::string::npos) << stopped.output;
+  net().join(net().host("north"));
+  EXPECT_TRUE(both_stand()) << north.output() << south.output();
+  EXPECT_EQ(south.output().find("released"), std::string::npos) << south.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+}
+
+TEST_F(EmergencyStop, ThatCannotBeReadAnyMoreIsNotReleasedByWhatWasBefore) {
+  make_network(42);
+  const Process north = agent("north");
+  Process before = agent("south");
+  stop_and_release({&north, &before});
+  net().isolate(net().host("north"));
+  fleet({"--stop"});
+  ASSERT_TRUE(before.signal(SIGKILL));
+  ASSERT_TRUE(before.wait(kFleetPatience));
+  std::ofstream(net().host("south").path(std::string(kAgentState) + "/mlab/agents/alpha@south.stop"))
+      << "garbage";
+  const Process south = agent("south");
+  EXPECT_TRUE(south.prints("can't be read: it still holds", kFleetPatience)) << south.output();
+  net().join(net().host("north"));
+  EXPECT_TRUE(both_stand()) << north.output() << south.output();
+  EXPECT_EQ(south.output().find("released"), std::string::npos) << south.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+  EXPECT_TRUE(south.prints("the emergency stop was released by base", kFleetPatience)) << south.output();
+}
+
+TEST_F(EmergencyStop, ThatAnAgentCannotKeepIsSaidToBeSo) {
+  make_network(43);
+  // No file takes a byte there, as on a disk that is full.
+  const Process north = net().host("north").start(
+      {"sh", "-c", "trap '' XFSZ; ulimit -f 0; exec \"$0\" \"$@\"", MLAB_COMMAND, "agent", "--fleet", "alpha",
+       "--name", "north", "--network", net().host("north").address()},
+      {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+  ASSERT_TRUE(north.prints("warning: an emergency stop will not outlive this agent", kFleetPatience))
+      << north.output() << north.errors();
+  const Process south = agent("south");
+  const Said stopped = fleet({"--stop"});
+  EXPECT_EQ(stopped.ending, "exit status 0") << stopped.errors;
+  EXPECT_NE(stopped.output.find("2 of 2 agents"), std::string::npos) << stopped.output;
+  EXPECT_NE(stopped.errors.find("not kept by `north` ("), std::string::npos) << stopped.errors;
+  EXPECT_EQ(stopped.errors.find("`south`"), std::string::npos) << stopped.errors;
+  EXPECT_NE(fleet({"--once"}).output.find("STOPPED, not kept"), std::string::npos);
+  Process far = errand({"--real-time"});
+  EXPECT_TRUE(far.prints("alert: the emergency stop is not kept by `north`", kFleetPatience)) << far.output();
+  EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
+}
+
 TEST_F(EmergencyStop, OfNobodyIsSaidToBeSo) {
   make_network(35);
   const Said nobody = fleet({"--stop"});
   EXPECT_EQ(nobody.ending, "exit status 1");
   EXPECT_NE(nobody.errors.find("nobody is there in the fleet `alpha`"), std::string::npos) << nobody.errors;
+  EXPECT_EQ(nobody.errors.find("loopback"), std::string::npos) << "it is not on loopback: " << nobody.errors;
   const Process north = agent("north");
   const Said nothing = fleet({"--release"});
   EXPECT_EQ(nothing.ending, "exit status 0");

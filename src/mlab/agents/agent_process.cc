@@ -26,6 +26,7 @@
 #include "mlab/robot/remote/agent.h"
 #include "mlab/robot/wire/arithmetic.h"
 #include "mlab/robot/wire/shared_cycle.h"
+#include "mlab/text/member_name.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::agents {
@@ -74,7 +75,7 @@ class AgentProcess {
   /// @errors  a sentence: the vehicle can't be offered
   std::optional<std::string> board() {
     if (!settings_.vehicle) return std::nullopt;
-    auto begun = settings_.vehicle->begin(roster_->participant(), [this] { return is_stopped_.load(); });
+    auto begun = settings_.vehicle->begin(roster_->participant(), [this] { return has_to_stand(); });
     if (!begun) return begun.error();
     vehicle_ = std::move(*begun);
     return std::nullopt;
@@ -87,9 +88,9 @@ class AgentProcess {
     Clock::time_point next_beat = Clock::now();
     if (const auto why = stop_file_.why_not_kept())
       settings_.log->add(fmt::format("warning: an emergency stop will not outlive this agent: {}", *why));
-    if (stop_.is_engaged)
+    if (stop_.is_engaged())
       settings_.log->add(
-          fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by));
+          fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by()));
     std::optional<std::string> problem;
     while (!stop.stop_requested() && !problem) {
       if (Clock::now() >= next_beat) {
@@ -98,6 +99,7 @@ class AgentProcess {
         hear_of_stop_from_others();
         tell_whom_it_misses();
         forget_what_all_have_released();
+        if (!not_kept_.empty()) keep_again();
         next_beat = Clock::now() + kBeat;
       }
       waiter_.wait(std::chrono::ceil<std::chrono::milliseconds>(
@@ -118,6 +120,9 @@ class AgentProcess {
   }
 
  private:
+  // Asked by any thread.
+  bool has_to_stand() const { return is_stopped_ || (settings_.must_stand && settings_.must_stand()); }
+
   /// A run may begin many conversations, and another one the same.
   using Key = std::pair<dds::Guid, std::string>;
 
@@ -152,7 +157,7 @@ class AgentProcess {
     const auto writer = std::make_shared<dds::Writer>(std::move(*answers));
     return std::make_unique<Conversation>(
         robot_remote::AgentTerms{settings_.sources, settings_.offered, settings_.vehicle.has_value(),
-                                 [this] { return is_stopped_.load(); },
+                                 [this] { return has_to_stand(); },
                                  [this] { return settings_.log->lines(); }},
         std::move(*waiter), std::move(branch),
         [writer, key, is_met = false](std::string_view message,
@@ -235,31 +240,51 @@ class AgentProcess {
     missed_.say(missed_among(std::move(others), stop_, Clock::now()));
   }
 
-  void heed(std::optional<StopState> state) {
-    if (!state || !state->overrides(stop_)) return;
-    const bool was_stopped = stop_.is_engaged;
-    stop_ = std::move(*state);
-    is_stopped_ = stop_.is_engaged;
+  void heed(const std::optional<StopState>& state) {
+    if (!state) return;
+    const bool was_stopped = stop_.is_engaged();
+    const Learnt learnt = stop_.learn(*state);
+    if (learnt == Learnt::kNothing) return;
+    is_stopped_ = stop_.is_engaged();
     for (auto& [key, conversation] : conversations_) conversation->look_at_stop();
-    if (const auto problem = stop_file_.write(stop_))
-      settings_.log->add(fmt::format("the emergency stop will not outlive this agent: {}", *problem));
+    keep();
     say_presence();
     tell_whom_it_misses();
     if (settings_.tell_stop) settings_.tell_stop();
-    if (stop_.is_engaged)
-      settings_.log->add(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by));
-    else if (was_stopped)
-      settings_.log->add(fmt::format("the emergency stop was released by {}", stop_.by));
+    if (learnt == Learnt::kStop)
+      settings_.log->add(fmt::format("EMERGENCY STOP by {}: all robots here stand", stop_.by()));
+    else if (was_stopped && !stop_.is_engaged())
+      settings_.log->add(fmt::format("the emergency stop was released by {}", stop_.by()));
+  }
+
+  void keep() {
+    const bool was_kept = not_kept_.empty();
+    const auto problem = stop_file_.write(stop_);
+    not_kept_ = problem && stop_.is_engaged() ? *problem : "";
+    if (!not_kept_.empty())
+      settings_.log->add(fmt::format("the emergency stop will not outlive this agent: {}", not_kept_));
+    else if (problem && was_kept && stop_file_.read().is_engaged())
+      settings_.log->add(fmt::format(
+          "the release of the emergency stop can't be kept: {}; it holds again when this agent is started "
+          "again",
+          *problem));
+  }
+
+  // There may be room by now.
+  void keep_again() {
+    if (stop_file_.write(stop_)) return;
+    not_kept_.clear();
+    settings_.log->add("the emergency stop is kept from now on: it outlives this agent");
+    say_presence();
   }
 
   // Who has not heard of the release holds the stop still; it is kept as long as there may be somebody.
   void forget_what_all_have_released() {
-    if (stop_.is_engaged) return;
+    if (stop_.is_engaged()) return;
     const Clock::time_point now = Clock::now();
     const auto may_hold_it = [&](const Member& one) {
-      const auto there = decode(one.said.stop());
       const bool is_forgotten = one.state == Member::State::kGone && now - one.heard >= kMissedFor;
-      return !one.has_left && !is_forgotten && !(there && there->is_same(stop_));
+      return !one.has_left && !is_forgotten && !has_confirmed(one.said.stop(), stop_);
     };
     if (std::ranges::none_of(roster_->members(), may_hold_it)) stop_file_.remove();
   }
@@ -304,6 +329,7 @@ class AgentProcess {
   void say_presence() {
     wire::AgentPresence said;
     encode(stop_, *said.mutable_stop());
+    said.set_not_kept(not_kept_);
     said.set_protocol(robot_remote::kAgentProtocol);
     said.set_version(settings_.sources.version);
     said.set_layout(robot_wire::shared_layout());
@@ -341,7 +367,8 @@ class AgentProcess {
   MissedTeller missed_;
   StopFile stop_file_{settings_.stop_file};
   StopState stop_ = stop_file_.read();
-  std::atomic<bool> is_stopped_ = stop_.is_engaged;
+  std::atomic<bool> is_stopped_ = stop_.is_engaged();
+  std::string not_kept_;  // why the stop that holds would be forgotten in a restart; empty: it would not be
   Clock::time_point began_ = Clock::now();
   Clock::time_point next_presence_;
   Load said_load_;
@@ -360,9 +387,8 @@ std::string machine_name() {
 
 std::optional<std::string> serve_as_agent(const AgentSettings& settings, const std::stop_token& stop) {
   if (!is_agent_name(settings.name))
-    return fmt::format(
-        "`{}` can't be the name of an agent: 1 to 64 letters, digits, `-`, `_` and `.`, not dots alone",
-        text::shown(settings.name));
+    return fmt::format("`{}` can't be the name of an agent: {}", text::shown(settings.name),
+                       text::kMemberNameRule);
   std::optional<robot::ExecutableOrigin> executable;
   if (!settings.offered.empty()) {
     auto program = robot::load_offered(settings.offered, settings.sources);

@@ -52,8 +52,11 @@ struct AgentSettings {
   /// File that an emergency stop is kept in, so that the agent still stands when it is started again; empty:
   /// it is not kept.
   std::string stop_file = {};
-  std::shared_ptr<AgentLog> log;          ///< gets what a person at this machine is to know; not null
-  std::function<void()> tell_stop = {};   ///< called when the emergency stop was pulled or released
+  std::shared_ptr<AgentLog> log;         ///< gets what a person at this machine is to know; not null
+  std::function<void()> tell_stop = {};  ///< called when the emergency stop was pulled or released
+  /// Asked by any thread: what this moves is to stand, since its process is about to be ended by force;
+  /// empty: never.
+  std::function<bool()> must_stand = {};
   std::function<void()> tell_ready = {};  ///< called once it has joined; empty: nobody wants to know
 };
 

@@ -125,8 +125,8 @@ class Recruits {
           "that "
           "does",
           fleet, others, words);
-    return fmt::format("{0} has joined the fleet `{1}`: {2}`mlab agent --fleet {1}{3}` starts one", who,
-                       fleet, host.empty() ? "" : "there, ", words);
+    return fmt::format("{0} has joined the fleet `{1}`: {2}`mlab agent --fleet {1}{3}` starts one{4}", who,
+                       fleet, host.empty() ? "" : "there, ", words, hints_.unseen);
   }
   // Members that carry robots of one executable each, and nothing else: "`f1` carries those of `walker`
   // only".

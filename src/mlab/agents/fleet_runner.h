@@ -9,10 +9,12 @@
 
 namespace mlab::agents {
 
-/// Options that a command which starts an agent needs beside the fleet's name, each with a blank in front.
+/// What a person is told to do where there is no agent: options that a command which starts one needs beside
+/// the fleet's name, each with a blank in front.
 struct StartHints {
   std::string here = {};
   std::string elsewhere = {};  ///< on another machine
+  std::string unseen = {};     ///< who may be there and isn't seen, with `; ` in front; empty: nobody
 };
 
 /// Runs the robots of one run at the agents of a fleet: those that are there, and those that join while it

@@ -25,8 +25,7 @@ double silence_of(Clock::duration duration) {
 bool is_missed(const Member& member, const StopState& holds, Clock::time_point now) {
   if (member.has_left) return false;
   if (member.state != Member::State::kThere) return member.is_held || now - member.heard < kMissedFor;
-  const auto there = decode(member.said.stop());
-  return holds.is_engaged && !(there && there->is_same(holds));
+  return holds.is_engaged() && !has_confirmed(member.said.stop(), holds);
 }
 
 std::optional<Missed> missed_in(const wire::MissedAgent& said) {

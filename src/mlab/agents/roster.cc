@@ -1,11 +1,11 @@
 #include "mlab/agents/roster.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
+#include "mlab/text/member_name.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::agents {
@@ -22,6 +22,7 @@ std::optional<wire::AgentPresence> checked(const dds::Arrival& arrival) {
     return std::nullopt;
   out.set_host(text::shown(out.host(), 64));
   out.set_version(text::shown(out.version(), 32));
+  out.set_not_kept(text::shown(out.not_kept(), 200));
   if (out.has_offered()) {
     if (out.offered().source() == 0) return std::nullopt;
     out.mutable_offered()->set_name(text::shown(out.offered().name(), 64));
@@ -34,11 +35,8 @@ std::optional<wire::AgentPresence> checked(const dds::Arrival& arrival) {
 }  // namespace
 
 bool is_agent_name(std::string_view name) {
-  const auto is_fit = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
-  };
-  const bool is_path = name.find_first_not_of('.') == std::string_view::npos;
-  return !is_path && name.size() <= dds::kMaxKey && std::ranges::all_of(name, is_fit);
+  static_assert(text::kMostInMemberName <= dds::kMaxKey);
+  return text::is_member_name(name);
 }
 
 std::expected<std::shared_ptr<Roster>, std::string> Roster::join(const dds::Network& network, Watch watch) {

@@ -23,11 +23,6 @@ double seconds_between(Clock::time_point then, Clock::time_point now) {
   return std::chrono::duration<double>(now - then).count();
 }
 
-bool has_acknowledged(const Member& agent, const StopState& state) {
-  const auto there = decode(agent.said.stop());
-  return there && there->is_same(state);
-}
-
 }  // namespace
 
 std::expected<std::unique_ptr<StopSwitch>, std::string> StopSwitch::open(std::shared_ptr<Roster> roster,
@@ -73,10 +68,8 @@ void StopSwitch::tell(std::function<void()> changed) {
 void StopSwitch::engage(const std::string& by) {
   {
     const std::scoped_lock lock(mutex_);
-    if (!state_.is_engaged) {
-      state_ = pulled(state_, by);
-      own_pull_ = state_.pull;
-    }
+    // Also where it is engaged: who releases that may not know of this.
+    state_ = pulled(std::move(state_), by);
     since_ = Clock::now();
   }
   spread();
@@ -85,8 +78,8 @@ void StopSwitch::engage(const std::string& by) {
 void StopSwitch::release(const std::string& by) {
   {
     const std::scoped_lock lock(mutex_);
-    if (!state_.is_engaged) return;
-    state_ = released(state_, by);
+    if (!state_.is_engaged()) return;
+    state_ = released(std::move(state_), by);
     since_ = Clock::now();
   }
   spread();
@@ -105,12 +98,7 @@ void StopSwitch::say() {
 }
 
 void StopSwitch::adopt(const StopState& state) {
-  if (!state.overrides(state_)) return;
-  // Numbers were not known here yet when it was pulled: what was released is another pull.
-  if (state_.is_engaged && state_.pull == own_pull_ && !state.is_engaged && state.pull != own_pull_)
-    state_.number = state.number + 1;
-  else
-    state_ = state;
+  if (state_.learn(state) == Learnt::kNothing) return;
   since_ = Clock::now();
   has_changed_ = true;
 }
@@ -191,13 +179,25 @@ std::vector<StopSwitch::Unreached> StopSwitch::unreached() const {
   if (wanted.number == 0) return out;
   const Clock::time_point now = Clock::now();
   for (const Member& agent : roster_->members()) {
-    if (has_acknowledged(agent, wanted) || agent.has_left) continue;
+    if (has_confirmed(agent.said.stop(), wanted) || agent.has_left) continue;
     out.push_back({agent.said.name(), seconds_between(agent.heard, now), "", agent.said.host()});
   }
   for (Hearsay::Entry& one : known_by_others())
     out.push_back(
         {std::move(one.agent.name), one.agent.silent, std::move(one.by), std::move(one.agent.machine)});
   std::ranges::sort(out, {}, &Unreached::name);
+  return out;
+}
+
+std::vector<StopSwitch::Forgetful> StopSwitch::forgetful() const {
+  const StopState wanted = state();
+  std::vector<Forgetful> out;
+  if (!wanted.is_engaged()) return out;
+  for (const Member& agent : roster_->members()) {
+    const bool is_there = agent.state != Member::State::kGone && !agent.said.not_kept().empty();
+    if (is_there && has_confirmed(agent.said.stop(), wanted))
+      out.push_back({agent.said.name(), agent.said.not_kept()});
+  }
   return out;
 }
 

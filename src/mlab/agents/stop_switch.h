@@ -29,8 +29,9 @@ class StopSwitch {
   StopSwitch& operator=(const StopSwitch&) = delete;
   ~StopSwitch();
 
-  /// Pulls it. It is under way when this comes back. Where it is engaged already it is said anew.
+  /// Pulls it. It is under way when this comes back. Where it is engaged already it holds twice.
   void engage(const std::string& by);
+  /// Releases all pulls that are known here by now; one that is heard of later holds.
   void release(const std::string& by);
   StopState state() const;
   /// Takes over at once what holds at the agents that have been heard.
@@ -46,6 +47,13 @@ class StopSwitch {
   /// By name. Agents that have left the fleet in order are not among them. One that was never heard here is
   /// where somebody else in the fleet misses it.
   std::vector<Unreached> unreached() const;
+  /// An agent that has confirmed the stop, and would forget it if it were started again.
+  struct Forgetful {
+    std::string name;
+    std::string why;  ///< for people
+  };
+  /// By name; nobody where it is not engaged.
+  std::vector<Forgetful> forgetful() const;
   /// With those that only others know of.
   std::size_t agent_count() const;
 
@@ -72,7 +80,6 @@ class StopSwitch {
   std::unique_ptr<MissedTeller> teller_;  // of the switch's thread; null: nobody is told
   mutable std::mutex mutex_;
   StopState state_;
-  std::uint64_t own_pull_ = 0;  // the last that was pulled here; 0: none
   Clock::time_point since_;
   bool has_changed_ = false;  // since it was looked at
   std::mutex telling_;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <system_error>
 #include <thread>
@@ -14,6 +15,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/agents/ending_watchdog.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/interrupt.h"
@@ -153,6 +155,12 @@ int take_part(agents::AgentSettings settings, const NetworkOptions& options, con
     }
     settings.network = *network;
     Watch watch(last_seen, withdrawals);
+    // Who runs it starts one again that has failed.
+    const agents::EndingWatchdog watchdog(words.command, [over = watch.token()] {
+      const std::optional<int> status = was_interrupted() ? kDone : kFailed;
+      return was_interrupted() || over.stop_requested() ? status : std::nullopt;
+    });
+    settings.must_stand = [&] { return watchdog.is_late(); };
     settings.tell_ready = [&] {
       tell_ready(settings, options, words);
       if (is_first) last_seen.tell_gap(*settings.log);

@@ -31,7 +31,10 @@ std::expected<dds::Network, std::string> network_of(const NetworkOptions& option
   if (folder.empty())
     return std::unexpected(
         "--secure: there is no folder for keys, since HOME is not set: --secure FOLDER names one");
-  const bool is_missing = !std::filesystem::is_directory(folder, failure);
+  const std::filesystem::file_type type = std::filesystem::status(folder, failure).type();
+  if (type == std::filesystem::file_type::none)  // of one above it
+    return std::unexpected(fmt::format("--secure: `{}` can't be read: {}", folder, failure.message()));
+  const bool is_missing = type != std::filesystem::file_type::directory;
   if (is_missing && options.identity.empty() && keys::FleetKeys::are_there(keys_folder(out.fleet)))
     return std::unexpected(fmt::format(
         "--secure: there is no folder `{}`: this machine has the fleet's keys, and `mlab keys {} --add {}` "

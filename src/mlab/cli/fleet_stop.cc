@@ -20,8 +20,8 @@ class FleetStopLine final : public run::StopLine {
                 const std::string& identity)
       : roster_(std::move(roster)), all_(std::move(all)), withdrawals_(identity) {}
   State state() const override {
-    agents::StopState state = all_->state();
-    return {state.is_engaged, std::move(state.by)};
+    const agents::StopState state = all_->state();
+    return {state.is_engaged(), state.by()};
   }
   void hear() override { all_->hear_agents(); }
   void settle() override {
@@ -43,12 +43,13 @@ class FleetStopLine final : public run::StopLine {
     const agents::Clock::time_point now = agents::Clock::now();
     if (now < next_look_) return {};
     next_look_ = now + kBetweenLooks;
-    if (!withdrawals_.has_changed()) return {};
-    return {
-        fmt::format("somebody was withdrawn from the fleet `{}`, and this run still trusts whom it trusted "
-                    "when it began{}. Who "
-                    "was withdrawn keeps the robots that it carries for it: end the run, and start it again",
-                    roster_->fleet(), agents_of_run())};
+    std::vector<std::string> out;
+    if (std::string words = about_forgetful(all_->forgetful()); words != told_forgetful_) {
+      told_forgetful_ = words;
+      if (!words.empty()) out.push_back("the emergency stop is " + std::move(words));
+    }
+    if (withdrawals_.has_changed()) out.push_back(about_withdrawal());
+    return out;
   }
   void tell(std::function<void()> changed) override { all_->tell(std::move(changed)); }
 
@@ -57,6 +58,14 @@ class FleetStopLine final : public run::StopLine {
   static constexpr std::chrono::milliseconds kFirstHeard{1500};
 
   static constexpr std::chrono::seconds kBetweenLooks{1};
+
+  std::string about_withdrawal() const {
+    return fmt::format(
+        "somebody was withdrawn from the fleet `{}`, and this run still trusts whom it trusted "
+        "when it began{}. Who "
+        "was withdrawn keeps the robots that it carries for it: end the run, and start it again",
+        roster_->fleet(), agents_of_run());
+  }
 
   // Certificates on the list have no names.
   std::string agents_of_run() const {
@@ -71,6 +80,7 @@ class FleetStopLine final : public run::StopLine {
   std::shared_ptr<agents::Roster> roster_;
   std::unique_ptr<agents::StopSwitch> all_;
   keys::WithdrawalWatch withdrawals_;
+  std::string told_forgetful_;
   agents::Clock::time_point next_look_;
 };
 
@@ -85,6 +95,13 @@ std::string age(double seconds) {
 std::string about_unreached(const std::string& by, double silent) {
   if (!by.empty()) return fmt::format(" (known by {}, last heard {} ago)", by, age(silent));
   return silent > 2.0 ? fmt::format(" (silent for {})", age(silent)) : "";
+}
+
+std::string about_forgetful(const std::vector<agents::StopSwitch::Forgetful>& agents) {
+  std::string out;
+  for (const agents::StopSwitch::Forgetful& one : agents)
+    out += fmt::format("{}`{}` ({})", out.empty() ? "" : ", ", one.name, one.why);
+  return out.empty() ? out : fmt::format("not kept by {}: started again it would forget it", out);
 }
 
 std::string stopping_person() {

@@ -3,8 +3,10 @@
 #include <expected>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mlab/agents/roster.h"
+#include "mlab/agents/stop_switch.h"
 #include "mlab/run/stop_line.h"
 
 namespace mlab::cli {
@@ -24,6 +26,9 @@ std::string age(double seconds);
 /// What is said behind the name of an agent that has not confirmed: how long nothing has been heard of it,
 /// and who knows of it where it was never heard here. Empty: it was heard just now.
 std::string about_unreached(const std::string& by, double silent);
+
+/// What is said of agents that would forget the stop; empty: there are none.
+std::string about_forgetful(const std::vector<agents::StopSwitch::Forgetful>& agents);
 
 /// Who pulls it from here: the machine's name.
 std::string stopping_person();

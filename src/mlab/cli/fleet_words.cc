@@ -2,10 +2,14 @@
 
 #include <arpa/inet.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include <fmt/core.h>
 
 #include "mlab/agents/roster.h"
 #include "mlab/cli/fleet_network.h"
+#include "mlab/text/member_name.h"
 #include "mlab/text/shell_word.h"
 #include "mlab/text/shown.h"
 
@@ -42,15 +46,26 @@ std::string fleet_options_elsewhere(const NetworkOptions& options) {
   return out + peers_of(options) + (options.is_secure ? " --secure" : "");
 }
 
+std::string who_is_not_seen(const NetworkOptions& options) {
+  std::string out;
+  if (options.interface_name.empty())
+    out +=
+        "; whoever takes part over another interface than loopback is seen with the same `--network` as his";
+  NetworkOptions secured = options;
+  secured.is_secure = true;
+  std::error_code failure;
+  if (!options.is_secure && std::filesystem::exists(identity_folder(secured), failure))
+    out += "; this machine has an identity of that fleet: its secured members are seen with `--secure`";
+  return out;
+}
+
 std::string release_command(const NetworkOptions& options) {
   return fmt::format("mlab fleet {}{} --release", fleet_of(options.fleet), fleet_options(options));
 }
 
 std::string refuse_unless_name(const std::string& text) {
   if (agents::is_agent_name(text)) return "";
-  return fmt::format(
-      "`{}` can't be a name here: expected 1 to 64 letters, digits, `-`, `_` and `.`, not dots alone",
-      text::shown(text));
+  return fmt::format("`{}` can't be a name here: expected {}", text::shown(text), text::kMemberNameRule);
 }
 
 }  // namespace mlab::cli

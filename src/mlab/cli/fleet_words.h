@@ -17,6 +17,10 @@ std::string fleet_options_elsewhere(const NetworkOptions& options);
 /// The command that releases the emergency stop of the fleet from here.
 std::string release_command(const NetworkOptions& options);
 
+/// Where nobody is seen: who may be there nevertheless, and which options show him, with `; ` in front;
+/// empty: nobody.
+std::string who_is_not_seen(const NetworkOptions& options);
+
 /// Why this can't be the name of a fleet, or of an agent in it, as option parsers take it; empty: it can.
 std::string refuse_unless_name(const std::string& text);
 

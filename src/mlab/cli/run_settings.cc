@@ -107,7 +107,8 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
   auto stop_line = fleet_stop_line(*roster, name_of_run(options), identity_folder(network));
   if (!stop_line) return stop_line.error();
   out.settings.stop_line = std::move(*stop_line);
-  const agents::StartHints hints{fleet_options(network), fleet_options_elsewhere(network)};
+  const agents::StartHints hints{fleet_options(network), fleet_options_elsewhere(network),
+                                 who_is_not_seen(network)};
   out.settings.robots_elsewhere = [roster = *roster, hints, is_live = options.real_time](
                                       std::uint64_t seed, double cycle_duration) {
     return agents::make_fleet_runner(roster, seed, kVersion, is_live ? cycle_duration : 0.0, hints);
@@ -156,6 +157,16 @@ robot::ProgramSources mission_sources(const RunOptions& options, const cell::Per
   out.limits = options.limits;
   out.in_own_processes = options.robots == RobotsAt::kOwnProcesses;
   out.project = !options.project.empty() ? options.project : folder.empty() ? "." : folder;
+  return out;
+}
+
+text::Diagnostics told_of_run(const text::Diagnostics& all, const RunOptions& options) {
+  const bool is_complete = all.items().size() == all.error_count() + all.warning_count() + all.note_count();
+  if (options.robots != RobotsAt::kFleet || !is_complete) return all;
+  text::Diagnostics out;
+  for (const text::Diagnostic& one : all.items()) {
+    if (one.kind != "host-needs-fleet") out.report(one);
+  }
   return out;
 }
 

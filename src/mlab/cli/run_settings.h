@@ -30,6 +30,8 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
 robot::ProgramSources mission_sources(const RunOptions& options, const cell::Permission& permission);
 /// What its text is read with.
 mdl::LoadOptions load_options(const RunOptions& options, robot::ProgramSources sources);
+/// What a person at the terminal is told of it: all but notes of what these options have settled.
+text::Diagnostics told_of_run(const text::Diagnostics& all, const RunOptions& options);
 /// What --set says; nothing where one of them can't be understood, which is told on standard error.
 std::optional<std::vector<mdl::Setting>> settings_of(const RunOptions& options);
 

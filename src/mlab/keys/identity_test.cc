@@ -1,5 +1,7 @@
 #include "mlab/keys/identity.h"
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "mlab/keys/certificates.h"
@@ -64,6 +66,18 @@ TEST_F(IdentityFolder, IsRefusedWhereAFileIsMissingEmptyOrSomethingElse) {
     fs::create_directory(north / file);
     EXPECT_TRUE(complains(problem(north), file, "is no file")) << problem(north);
   }
+}
+
+TEST_F(IdentityFolder, ThatCannotBeEnteredSaysSo) {
+  const fs::path north = add("north");
+  fs::permissions(north, fs::perms::none);
+  const uid_t user = ::geteuid();
+  constexpr uid_t kNobody = 65534;
+  EXPECT_EQ(::seteuid(user == 0 ? kNobody : user), 0);  // root may enter whatever there is
+  const std::string said = problem(north);
+  ASSERT_EQ(::seteuid(user), 0);
+  fs::permissions(north, fs::perms::owner_all);
+  EXPECT_TRUE(complains(said, kAuthorityFile, "can't be read: Permission denied")) << said;
 }
 
 TEST_F(IdentityFolder, IsRefusedWhereAFileIsAnotherAuthoritys) {

@@ -66,8 +66,11 @@ std::expected<void, std::string> write_private(const fs::path& file, const std::
 
 std::expected<std::string, std::string> read_file(const fs::path& file) {
   std::error_code failure;
-  const bool is_file = fs::is_regular_file(file, failure);
-  if (!fs::exists(file, failure)) return std::unexpected(fmt::format("`{}` is missing", shown(file)));
+  const fs::file_type type = fs::status(file, failure).type();
+  if (type == fs::file_type::not_found) return std::unexpected(fmt::format("`{}` is missing", shown(file)));
+  if (type == fs::file_type::none)  // its folder can't be entered, say
+    return std::unexpected(fmt::format("`{}` can't be read: {}", shown(file), failure.message()));
+  const bool is_file = type == fs::file_type::regular;
   const std::uintmax_t size = is_file ? fs::file_size(file, failure) : 0;
   if (!is_file || failure || size > kMostBytes)
     return std::unexpected(fmt::format("`{}` is no file of at most {} bytes", shown(file), kMostBytes));

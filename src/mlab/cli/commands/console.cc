@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -22,6 +23,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/agents/ending_watchdog.h"
 #include "mlab/base/counted.h"
 #include "mlab/cli/browser.h"
 #include "mlab/cli/commands.h"
@@ -172,7 +174,7 @@ Look look_at(const RunOptions& options, run::RunSettings& settings) {
     out.is_usable = changes.has_value() && !sink.has_errors();
     settings.environment = changes.value_or(overlay::EnvironmentChanges{});
   }
-  tell(sink);
+  tell(told_of_run(sink, options));
   out.warnings = sink.warning_count();
   return out;
 }
@@ -286,8 +288,15 @@ designer::DesignerSettings designer_settings(const RunOptions& options,
   return out;
 }
 
+// A run of a fleet may not come to its end; what has to be saved before is saved within that time.
+constexpr std::chrono::seconds kEndingPatience(10);
+
 int serve(const RunOptions& options, console::SessionSettings settings, const Look& look,
           console::Server& server) {
+  const bool may_hang = options.robots == RobotsAt::kFleet;
+  const agents::EndingWatchdog watchdog(
+      "mlab", [&] { return may_hang && was_interrupted() ? std::optional(kFailed) : std::nullopt; },
+      kEndingPatience);
   KeepingTold keeping(settings.state_folder);
   settings.tell_not_kept = [&](const std::string& why) { keeping.tell("console", why); };
   const std::string& kept_in = settings.state_folder;

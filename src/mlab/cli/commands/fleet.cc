@@ -16,6 +16,7 @@
 
 #include "mlab/agents/agent_log.h"
 #include "mlab/agents/echo.h"
+#include "mlab/agents/ending_watchdog.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/stop_switch.h"
 #include "mlab/cli/clock.h"
@@ -46,6 +47,7 @@ double seconds_since(Clock::time_point then) {
 std::string state_of(const Member& member) {
   switch (member.state) {
     case Member::State::kThere:
+      if (!member.said.not_kept().empty()) return "STOPPED, not kept";
       return member.said.stop().is_engaged() ? "STOPPED" : "there";
     case Member::State::kSilent:
       return "silent for " + age(seconds_since(member.heard));
@@ -82,8 +84,8 @@ std::string clock_of(const std::optional<agents::LinkQuality>& link) {
 std::string table_of(const std::string& fleet, const std::vector<Member>& members,
                      const agents::EchoProbe& links, const NetworkOptions& network) {
   if (members.empty())
-    return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}{1}` starts an agent\n", fleet,
-                       fleet_options(network));
+    return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}{1}` starts an agent{2}\n",
+                       fleet, fleet_options(network), who_is_not_seen(network));
   std::string out = fmt::format("{:<16} {:<16} {:<18} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n",
                                 "AGENT", "MACHINE", "STATE", "ROUND TRIP", "CLOCK", "ROBOTS", "RUNS", "LOAD",
                                 "FREE MEMORY", "UP", "VERSION");
@@ -119,6 +121,7 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
          {"machine", one.said.host()},
          {"state", kStates[static_cast<std::size_t>(one.state)]},
          {"is_stopped", one.said.stop().is_engaged()},
+         {"is_stop_kept", one.said.not_kept().empty()},
          {"heard_s_ago", seconds_since(one.heard)},
          {"link", json_of(links.quality(one.said.name()))},
          {"robots", one.said.robots()},
@@ -153,41 +156,46 @@ std::string listed(const std::vector<agents::StopSwitch::Unreached>& agents) {
 }
 
 // Says it until all have heard. Who has not been found when this begins hears it as soon as he is.
-int switch_stop(const FleetOptions& options, std::shared_ptr<agents::Roster> roster) {
-  const std::shared_ptr<agents::Roster> all = roster;
-  auto stop = agents::StopSwitch::open(std::move(roster));
-  if (!stop) {
-    fmt::print(stderr, "mlab fleet: {}\n", stop.error());
-    return kFailed;
-  }
-  if (options.stop) (*stop)->engage(stopping_person());
-  wait_for_agents(*all);
+int switch_stop(const FleetOptions& options, const agents::Roster& roster, agents::StopSwitch& stop) {
+  if (options.stop) stop.engage(stopping_person());
+  wait_for_agents(roster);
   const Clock::time_point first = Clock::now() + kAllFound;
   const Clock::time_point last = Clock::now() + kStopPatience;
   bool is_said = options.stop;
   while (!was_interrupted() && Clock::now() < last) {
-    // Its number is known from those who hold it.
-    if (!is_said && (*stop)->state().is_engaged) {
-      (*stop)->release(stopping_person());
+    // What is to be released is known from those who hold it.
+    if (!is_said && stop.state().is_engaged()) {
+      stop.release(stopping_person());
       is_said = true;
     }
-    if (Clock::now() >= first && (!is_said || (*stop)->unreached().empty())) break;
+    if (Clock::now() >= first && (!is_said || stop.unreached().empty())) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  const std::string& fleet = all->fleet();
-  const auto unreached = (*stop)->unreached();
-  const std::size_t count = std::max((*stop)->agent_count(), unreached.size());  // which others may add to
+  const std::string& fleet = roster.fleet();
+  const auto unreached = stop.unreached();
+  const std::size_t count = std::max(stop.agent_count(), unreached.size());  // which others may add to
   if (count == 0) {
-    fmt::print(stderr, "mlab fleet: nobody is there in the fleet `{}`\n", fleet);
+    fmt::print(stderr, "mlab fleet: nobody is there in the fleet `{}`{}\n", fleet,
+               who_is_not_seen(options.network));
     return kFailed;
   }
   if (!is_said) {
     fmt::print("the fleet `{}` is not stopped\n", fleet);
     return kDone;
   }
+  if (const agents::StopState holds = stop.state(); !options.stop && holds.is_engaged()) {
+    fmt::print(
+        stderr,
+        "mlab fleet: the fleet `{}` still stands: another emergency stop, by {}, was not known of when "
+        "the one before was released; --release again releases both\n",
+        fleet, holds.by());
+    return kFailed;
+  }
   fmt::print("{}: {} of {} agents of the fleet `{}` have confirmed\n",
              options.stop ? "EMERGENCY STOP" : "the emergency stop is released", count - unreached.size(),
              count, fleet);
+  if (const std::string words = about_forgetful(stop.forgetful()); !words.empty())
+    fmt::print(stderr, "mlab fleet: warning: {}\n", words);
   if (unreached.empty()) return kDone;
   fmt::print(stderr, "mlab fleet: not confirmed by {}; each hears of it from the others when it is back\n",
              listed(unreached));
@@ -249,13 +257,19 @@ int tell_problem(const std::string& problem) {
 
 int show_fleet(const FleetOptions& options) {
   note_interrupts();
-  if (options.stop || options.release) {
-    auto roster = join(options);
-    return roster ? switch_stop(options, *roster) : tell_problem(roster.error());
+  const bool is_about_stop = options.stop || options.release;
+  agents::EndingWatchdog watchdog("mlab fleet", [&]() -> std::optional<int> {
+    return was_interrupted() ? std::optional(is_about_stop ? kFailed : kDone) : std::nullopt;
+  });
+  if (is_about_stop) {
+    const auto roster = join(options);
+    if (!roster) return tell_problem(roster.error());
+    const auto stop = agents::StopSwitch::open(*roster);
+    return watchdog.expect_end(stop ? switch_stop(options, **roster, **stop) : tell_problem(stop.error()));
   }
   if (!options.log.empty()) {
     const auto roster = join(options);
-    return roster ? show_log(*roster, options.log) : tell_problem(roster.error());
+    return watchdog.expect_end(roster ? show_log(*roster, options.log) : tell_problem(roster.error()));
   }
   keys::WithdrawalWatch withdrawals(identity_folder(options.network));
   auto view = look(options);
@@ -267,7 +281,7 @@ int show_fleet(const FleetOptions& options) {
     const std::string text = options.json ? json_of(fleet, members, *view->links)
                                           : table_of(fleet, members, *view->links, options.network);
     const bool is_read = write_output_now(is_live ? "\x1b[H\x1b[2J" + text : text);
-    if (!is_live || !is_read || was_interrupted()) return kDone;
+    if (!is_live || !is_read || was_interrupted()) return watchdog.expect_end(kDone);
     view->links->measure(kBetweenLooks);
     if (!withdrawals.has_changed()) continue;
     view = View{};  // who was withdrawn hears nothing from here on

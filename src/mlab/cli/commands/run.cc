@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -11,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/agents/ending_watchdog.h"
 #include "mlab/base/counted.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
@@ -99,7 +101,7 @@ std::optional<Prepared> prepare(RunOptions options, int& status) {
     }
     if (!sink.has_errors()) out.run = out.bodies.make_run(mission, sources, settings, sink);
   }
-  tell(sink);
+  tell(told_of_run(sink, options));
   if (!out.run) return std::nullopt;
   if (options.strict && sink.warning_count() > 0) {
     fmt::print(stderr, "mlab run: not run, because of {} and --strict\n",
@@ -269,6 +271,9 @@ int run(const RunOptions& options) {
   if (!options.headless) return settings_of(options) ? run_console(options) : kBadInput;
   if (options.mission.empty()) return usage_error("--headless: expected a mission file (.mdl)");
   int status = kDone;
+  std::atomic<bool> may_hang = false;
+  agents::EndingWatchdog watchdog(
+      "mlab run", [&] { return may_hang && was_interrupted() ? std::optional(kFailed) : std::nullopt; });
   std::optional<Prepared> prepared = prepare(options, status);
   if (!prepared) return status;
   if (!may_start(*prepared)) return kFailed;
@@ -294,7 +299,9 @@ int run(const RunOptions& options) {
     screen.show(run, mission::effect::Print{wanted.robot_info});
   const double began = steady_seconds();
   const double cpu_began = cpu_seconds();
+  may_hang = options.robots == RobotsAt::kFleet;
   const run::RunEnd end = carry_out(*prepared, options, screen, person, plot);
+  may_hang = false;  // what is written from here on may take its time
   performance.wall_seconds = steady_seconds() - began;
   performance.cpu_seconds = cpu_seconds() - cpu_began;
 
@@ -306,7 +313,7 @@ int run(const RunOptions& options) {
   if (!options.report.empty() && !deliver("report", options.report, run::report_json(run, performance, end)))
     return kFailed;
   if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;
-  return outcome == "done" && is_as_recorded && is_recorded ? kDone : kFailed;
+  return watchdog.expect_end(outcome == "done" && is_as_recorded && is_recorded ? kDone : kFailed);
 }
 
 }  // namespace mlab::cli

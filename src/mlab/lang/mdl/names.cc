@@ -10,6 +10,7 @@
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/lang/mdl/token.h"
 #include "mlab/percept/object_colors.h"
+#include "mlab/text/member_name.h"
 
 namespace mlab::mdl {
 namespace {
@@ -27,6 +28,19 @@ std::string nearest(std::string_view name, const Range& things, Projection name_
     names.push_back(name_of(thing));
   }
   return text::nearest_name(name, names);
+}
+
+void tell_of_host(text::Diagnostics& diagnostics, const std::string& host, text::Place place) {
+  if (text::is_member_name(host))
+    diagnostics.note(
+        "host-needs-fleet", std::move(place),
+        "with `--robots fleet` robots of this type have the vehicle of this name as body, or are "
+        "carried by the agent of this name; else they are computed here");
+  else
+    diagnostics.warning("unknowable-host", std::move(place),
+                        fmt::format("no agent and no vehicle can have the name {}, so with `--robots fleet` "
+                                    "robots of this type stand; a name has {}",
+                                    in_backticks(host), text::kMemberNameRule));
 }
 
 }  // namespace
@@ -78,10 +92,7 @@ bool Roster::define_type(const statement::NewRobot& statement) {
   }
   if (statement.host && !statement.host->text.empty()) {
     type.host = statement.host->text;
-    diagnostics_.note(
-        "host-needs-fleet", place(statement.host->span),
-        "with `--robots fleet` robots of this type have the vehicle of this name as body, or are "
-        "carried by the agent of this name; else they are computed here");
+    tell_of_host(diagnostics_, type.host, place(statement.host->span));
   }
   type.place = place(statement.program.span);
   for (const Parameter& p : statement.parameters) {
