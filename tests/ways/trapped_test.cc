@@ -60,7 +60,7 @@ const std::string kPlain = "MISSION-AREA 300 300\nCONTROL MEASURES:\n";
 TEST_F(Trapped, WhoStandsInANotchBetweenRocksDrivesOut) {
   // Behind the rocks, through a gap that is too narrow, free ground is nearest.
   carry_out(
-      "MISSION-AREA 400 200\nOBSTACLE 380.71 89.1 5.96\nOBSTACLE 364.38 77.67 11.51\n"
+      "MISSION-AREA 400 200\nCONTROL MEASURES:\nOBSTACLE 380.71 89.1 5.96\nOBSTACLE 364.38 77.67 11.51\n"
       "OBSTACLE 382.97 80.83 2.43\n",
       "UNIT <t> r\nCOMMAND LIST:\n0. UNIT t START 381.306 82.919\n1. UNIT t MOVETO 323 155\n");
   EXPECT_TRUE(is_done()) << told_;
@@ -69,7 +69,7 @@ TEST_F(Trapped, WhoStandsInANotchBetweenRocksDrivesOut) {
 
 TEST_F(Trapped, WhoIsPutBesideTwoRocksThatMeetDrivesOut) {
   carry_out(
-      "MISSION-AREA 400 300\nOBSTACLE 80.83 216.62 2.53\nOBSTACLE 78.24 213.55 2.53\n"
+      "MISSION-AREA 400 300\nCONTROL MEASURES:\nOBSTACLE 80.83 216.62 2.53\nOBSTACLE 78.24 213.55 2.53\n"
       "OBSTACLE 76.23 210.07 2.53\nOBSTACLE 87.83 208.92 3.19\nOBSTACLE 82.5 200.32 3.19\n",
       "UNIT <t> r\nCOMMAND LIST:\n0. UNIT t START 79.2 211.1\n1. UNIT t MOVETO 344 215\n");
   EXPECT_TRUE(is_done()) << told_;
