@@ -75,6 +75,33 @@ TEST_F(Trapped, WhoIsPutBesideTwoRocksThatMeetDrivesOut) {
   EXPECT_TRUE(is_done()) << told_;
 }
 
+TEST_F(Trapped, WhoStartsInAMinefieldLeavesItByTheNearestEdge) {
+  for (const char* task : {"MOVETO", "VISIT", "OCCUPY"}) {
+    told_.clear();
+    carry_out("MISSION-AREA 200 200\nCONTROL MEASURES:\nMINEFIELD mines 50 50 50\n",
+              fmt::format("UNIT <t> r\nCOMMAND LIST:\n0. UNIT t START 50 55\n1. UNIT t {} 50 12\n", task));
+    EXPECT_TRUE(is_done()) << task << "\n" << told_;
+    EXPECT_LT(run_->time(), 60.0) << task;
+    EXPECT_EQ(told_.find("no way"), std::string::npos) << told_;
+  }
+}
+
+TEST_F(Trapped, NobodyTouchesAnotherOneWhereAllArePutRoundOnePlace) {
+  const std::string robots = " r r r r r r r r r r r r";
+  carry_out(kPlain, "UNIT <t>" + robots + robots +
+                        "\nCOMMAND LIST:\n0. UNIT t START 50 150\n1. UNIT t MOVETO 270 150\n");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts_, 0U);
+}
+
+TEST_F(Trapped, WhoHaltsToWatchDoesNotHaltInADoor) {
+  // The first bound ends in the door.
+  carry_out("MISSION-AREA 60 30\nCONTROL MEASURES:\nWALL low 23 0 23 14.5\nWALL high 23 15.5 23 30\n",
+            "UNIT <t> r r\nCOMMAND LIST:\n0. UNIT t START 8 15 0 2\n"
+            "1. UNIT t MOVETO 52 15 FORMATION No-Formation TECHNIQUE Bounding-Overwatch\n");
+  EXPECT_TRUE(is_done()) << told_;
+}
+
 TEST_F(Trapped, TheMiddleOfAUnitMayBeClosedOff) {
   carry_out(kPlain + "WALL box 130 130 170 130 170 170 130 170 130 130\n",
             "UNIT <t> r r\nCOMMAND LIST:\n0. ROBOT 1 START 110 150 AND ROBOT 2 START 190 150\n"

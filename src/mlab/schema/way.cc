@@ -243,6 +243,13 @@ PlannedWay find_route(const percept::KnownGround& ground, geom::Point from,
 
 }  // namespace
 
+geom::Point place_outside(const percept::Percepts& percepts, double keep) {
+  const auto around = std::ranges::find_if(percepts.obstacles, is_around);
+  if (around == percepts.obstacles.end()) return percepts.pose.position;
+  const double farther = (around->radius + keep) / around->radius;
+  return percepts.pose.position + percepts.pose.to_world(around->center * -farther);
+}
+
 PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
                     double margin) {
   PlannedWay out = find_way(ground, from, goal, radius, margin);

@@ -31,7 +31,7 @@ class WayCheck {
   };
   /// Who is where.
   struct From {
-    std::string who;   ///< as it is told
+    std::string who;    ///< as it is told
     geom::Point place;  ///< [m, world]
   };
   /// @param success  who is so near to the goal is there [m]
