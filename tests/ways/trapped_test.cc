@@ -57,6 +57,51 @@ class Trapped : public testing::Test {
 
 const std::string kPlain = "MISSION-AREA 300 300\nCONTROL MEASURES:\n";
 
+TEST_F(Trapped, WhoStandsInANotchBetweenRocksDrivesOut) {
+  // Behind the rocks, through a gap that is too narrow, free ground is nearest.
+  carry_out(
+      "MISSION-AREA 400 200\nCONTROL MEASURES:\nOBSTACLE 380.71 89.1 5.96\nOBSTACLE 364.38 77.67 11.51\n"
+      "OBSTACLE 382.97 80.83 2.43\n",
+      "UNIT <t> r\nCOMMAND LIST:\n0. UNIT t START 381.306 82.919\n1. UNIT t MOVETO 323 155\n");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts_, 0U);
+}
+
+TEST_F(Trapped, WhoIsPutBesideTwoRocksThatMeetDrivesOut) {
+  carry_out(
+      "MISSION-AREA 400 300\nCONTROL MEASURES:\nOBSTACLE 80.83 216.62 2.53\nOBSTACLE 78.24 213.55 2.53\n"
+      "OBSTACLE 76.23 210.07 2.53\nOBSTACLE 87.83 208.92 3.19\nOBSTACLE 82.5 200.32 3.19\n",
+      "UNIT <t> r\nCOMMAND LIST:\n0. UNIT t START 79.2 211.1\n1. UNIT t MOVETO 344 215\n");
+  EXPECT_TRUE(is_done()) << told_;
+}
+
+TEST_F(Trapped, WhoStartsInAMinefieldLeavesItByTheNearestEdge) {
+  for (const char* task : {"MOVETO", "VISIT", "OCCUPY"}) {
+    told_.clear();
+    carry_out("MISSION-AREA 200 200\nCONTROL MEASURES:\nMINEFIELD mines 50 50 50\n",
+              fmt::format("UNIT <t> r\nCOMMAND LIST:\n0. UNIT t START 50 55\n1. UNIT t {} 50 12\n", task));
+    EXPECT_TRUE(is_done()) << task << "\n" << told_;
+    EXPECT_LT(run_->time(), 60.0) << task;
+    EXPECT_EQ(told_.find("no way"), std::string::npos) << told_;
+  }
+}
+
+TEST_F(Trapped, NobodyTouchesAnotherOneWhereAllArePutRoundOnePlace) {
+  const std::string robots = " r r r r r r r r r r r r";
+  carry_out(kPlain, "UNIT <t>" + robots + robots +
+                        "\nCOMMAND LIST:\n0. UNIT t START 50 150\n1. UNIT t MOVETO 270 150\n");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts_, 0U);
+}
+
+TEST_F(Trapped, WhoHaltsToWatchDoesNotHaltInADoor) {
+  // The first bound ends in the door.
+  carry_out("MISSION-AREA 60 30\nCONTROL MEASURES:\nWALL low 23 0 23 14.5\nWALL high 23 15.5 23 30\n",
+            "UNIT <t> r r\nCOMMAND LIST:\n0. UNIT t START 8 15 0 2\n"
+            "1. UNIT t MOVETO 52 15 FORMATION No-Formation TECHNIQUE Bounding-Overwatch\n");
+  EXPECT_TRUE(is_done()) << told_;
+}
+
 TEST_F(Trapped, TheMiddleOfAUnitMayBeClosedOff) {
   carry_out(kPlain + "WALL box 130 130 170 130 170 170 130 170 130 130\n",
             "UNIT <t> r r\nCOMMAND LIST:\n0. ROBOT 1 START 110 150 AND ROBOT 2 START 190 150\n"

@@ -10,6 +10,7 @@
 #include "mlab/mission/command.h"
 #include "mlab/mission/dispatch.h"
 #include "mlab/mission/parts.h"
+#include "mlab/mission/passage.h"
 #include "mlab/mission/phase_line.h"
 
 namespace mlab::mission {
@@ -109,10 +110,21 @@ void begin_bound(Run& run, std::uint32_t mover) {
   ++run.bounds;
 }
 
+// Whether somebody of a part would be in the way of the others if it halted now.
+bool is_in_the_way(const Turn& turn, const Part& part) {
+  const Group* group = find_group(turn.state, part.sequence);
+  return group != nullptr && std::ranges::any_of(group->members, [&](base::RobotId id) {
+           const RobotState& robot = *find_robot(turn.state, id);
+           return in_sight(turn.state, robot) &&
+                  is_in_passage(turn.state.mission->overlay, robot.pose.position);
+         });
+}
+
 void bound(Turn& turn, Run& run) {
   if (run.mover != kNoPart) {
     Part& mover = run.parts[run.mover];
-    if (!mover.done && (run.target <= 0.0 || mover.remaining > run.target)) return;
+    if (!mover.done && (run.target <= 0.0 || mover.remaining > run.target || is_in_the_way(turn, mover)))
+      return;
     mover.halted = true;
     run.mover = kNoPart;
     run.settled = 0.0;

@@ -66,8 +66,13 @@ void Surroundings::add_edges() {
   add(high.y, {0, 1});
 }
 
+// Edges of areas to keep out of are among the walls that are known: who stands within one gets out. Solid
+// ones are seen besides.
 void Surroundings::add_walls() {
   wall_count_ = nearest_walls(percepts_.ground, here_, 0.25 * near_, walls_);
+  for (std::size_t i = 0; i < obstacles_.size() && wall_count_ > 0; ++i) {
+    if (is_around(obstacles_[i])) wall_count_ = 0;
+  }
   for (std::size_t i = 0; i < wall_count_; ++i) {
     const Offset place = geom::nearest_point(walls_[i], here_) - here_;
     standing_.add({place, {}, spacing_.radius + spacing_.obstacle_gap, kWallHorizon, false});

@@ -19,6 +19,7 @@
 #include "mlab/schema/route.h"
 #include "mlab/ways/clearances.h"
 #include "mlab/ways/planner.h"
+#include "mlab/ways/way_out.h"
 
 namespace mlab::schema {
 namespace {
@@ -107,6 +108,14 @@ std::optional<geom::Point> free_beside(const ways::Clearing& tight, const ways::
   return *least != place || tight.is_free(geom::Segment{place, *out}) ? out : std::nullopt;
 }
 
+// Where the way of a body begins that stands at a place, from which it has to get out first, maybe.
+std::optional<geom::Point> free_before(const Site& tight, const ways::Clearing& wide, geom::Point place,
+                                       std::optional<geom::Point> out, double radius) {
+  const auto beside = free_beside(tight.clearing(), wide, place, 4.0);
+  if (!out || (beside && ways::leads_straight(tight.ground, {place, *beside}, radius))) return beside;
+  return wide.is_free(*out) ? out : std::nullopt;
+}
+
 PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& way, geom::Point goal,
                         WayEnd end) {
   PlannedWay out;
@@ -188,10 +197,11 @@ PlannedWay find_way(const percept::KnownGround& ground, geom::Point from, geom::
   const ways::Clearances clearances(radius, margin);
   const double least = clearances.least();
   const auto tight = sites().at(ground, least);
+  const auto out_at = ways::way_out(tight->ground, tight->clearing(), from, radius);
   for (const double clearance : clearances.all()) {
     const auto site = sites().at(ground, clearance);
     const std::lock_guard lock(site->mutex);
-    const auto begin = free_beside(tight->clearing(), site->clearing(), from, 4.0);
+    const auto begin = free_before(*tight, site->clearing(), from, out_at, radius);
     const auto end = free_beside(tight->clearing(), site->clearing(), goal, 2.0);
     if (!begin || !end) continue;
     const auto way = site->planner.find(*begin, *end, kMostEffort);
@@ -232,6 +242,13 @@ PlannedWay find_route(const percept::KnownGround& ground, geom::Point from,
 }
 
 }  // namespace
+
+geom::Point place_outside(const percept::Percepts& percepts, double keep) {
+  const auto around = std::ranges::find_if(percepts.obstacles, is_around);
+  if (around == percepts.obstacles.end()) return percepts.pose.position;
+  const double farther = (around->radius + keep) / around->radius;
+  return percepts.pose.position + percepts.pose.to_world(around->center * -farther);
+}
 
 PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
                     double margin) {

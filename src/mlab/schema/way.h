@@ -18,6 +18,18 @@ inline bool is_finite(geom::Point p) {
   return std::isfinite(p.x + p.y);
 }
 
+/// Whether what eyes see is an area that robots keep out of in which the robot stands: it is seen as a disc
+/// opposite to the nearest way out, whose edge goes through the robot's middle.
+inline bool is_around(const percept::Obstacle& seen) {
+  constexpr double kRounding = 1e-6;  // [m]
+  return seen.radius > 0.0 && !seen.is_moving() && std::abs(length(seen.center) - seen.radius) <= kRounding;
+}
+
+/// Where the robot is; within an area that it keeps out of, the nearest place outside.
+/// @param keep  so far from the area's edge [m]
+/// @return  [m, world]
+geom::Point place_outside(const percept::Percepts& percepts, double keep);
+
 /// A way for a body of this radius that keeps its margin from everything known, as far as there is room:
 /// where no way is so wide the margin bends, to a half, a quarter, and at last to a tenth of a metre. Its
 /// ends may be nearer to something. What was planned before on the same ground is remembered, so that robots

@@ -35,6 +35,50 @@ TEST(Placer, FindsTheSamePlacesWhetherItSearchedForThemBeforeOrNot) {
   }
 }
 
+TEST(Placer, PutsNobodyWhereHeTouchesAnotherOneUnlessThatIsWanted) {
+  const Statics statics({}, {});
+  Bodies bodies;
+  Placer placer;
+  placer.rebuild(bodies);
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    const auto place = placer.nearest_free(bodies, statics, {50.0, 50.0}, kRadius, kArea);
+    ASSERT_TRUE(place);
+    for (std::uint32_t other = 0; other < i; ++other)
+      ASSERT_GE(distance(bodies.position(other), *place), 4.0 * kRadius) << i;
+    put(bodies, *place);
+    placer.add(bodies, i);
+  }
+  Bodies one;
+  put(one, {50.0, 50.0});
+  placer.rebuild(one);
+  const Point beside{50.0 + 2.0 * kRadius, 50.0};
+  EXPECT_EQ(placer.nearest_free(one, statics, beside, kRadius, kArea), beside);
+}
+
+TEST(Placer, PutsThemSoThatTheyTouchWhereThereIsNoOtherRoom) {
+  const Statics statics({}, {});
+  Bodies bodies;
+  put(bodies, {50.0, 50.0});
+  Placer placer;
+  placer.rebuild(bodies);
+  const Box narrow{50.0, 50.0, 50.41, 50.0};
+  EXPECT_TRUE(placer.nearest_free(bodies, statics, {50.0, 50.0}, kRadius, narrow));
+}
+
+TEST(Placer, PutsNobodyBehindAWallWhereThereIsRoomBeforeIt) {
+  const Statics statics({}, {{{{50.5, 0.0}, {50.5, 100.0}}, 0}, {{{49.5, 0.0}, {49.5, 100.0}}, 1}});
+  Bodies bodies;
+  Placer placer;
+  placer.rebuild(bodies);
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    const auto place = placer.nearest_free(bodies, statics, {50.0, 50.0}, kRadius, kArea);
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->x, 50.0, 0.5) << i;
+    put(bodies, *place);
+    placer.add(bodies, i);
+  }
+}
+
 TEST(Placer, SearchesFromTheMiddleAgainAfterARebuild) {
   const Statics statics({}, {});
   Bodies bodies;

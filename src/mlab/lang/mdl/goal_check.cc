@@ -53,7 +53,6 @@ void GoalCheck::check(const mission::UnitCommand& c, double radius) {
   }
 }
 
-/// The area that robots keep out of in which a place lies.
 const overlay::ControlMeasure* GoalCheck::minefield_at(geom::Point p) {
   for (const overlay::ControlMeasure& measure : mission_.overlay.measures) {
     visits_ += 1 + measure.points.size();

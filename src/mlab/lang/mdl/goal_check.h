@@ -20,9 +20,10 @@ class GoalCheck {
   bool is_outside(geom::Point p) const;
   /// The obstacle that a body with its centre there would stand in; null: none.
   const overlay::ObstacleDisc* obstacle_at(geom::Point p, double radius);
+  /// The area that robots keep out of in which a place lies; null: none.
+  const overlay::ControlMeasure* minefield_at(geom::Point p);
 
  private:
-  const overlay::ControlMeasure* minefield_at(geom::Point p);
   const overlay::ControlMeasure* wall_at(geom::Point p, double radius);
 
   const mission::Mission& mission_;

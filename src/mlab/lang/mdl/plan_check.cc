@@ -199,14 +199,32 @@ class PlanCheck {
     } else if (c.task != Task::kTeleoperate) {
       const RobotState& first = state(robots_of(c).front());
       formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
-      if (first.has_place && !ways_.check(c, first.place, most_room(c), success_radius(c)))
-        return;  // it stays there
+      if (!has_ways(c)) return;  // it stays there
     }
+    double step = 0.0;
     for (const base::RobotId id : robots_of(c)) {
       RobotState& robot = state(id);
-      robot.place = c.goal;
+      robot.place = c.task == Task::kStart ? c.goal + c.start_step * step++ : c.goal;
       robot.has_place = true;
     }
+  }
+
+  // Whether a way leads there from where each of its robots is, as far as that is looked at. It warns of the
+  // first one of which it isn't so.
+  bool has_ways(const UnitCommand& c) {
+    constexpr std::size_t kMostPlaces = 100;
+    const std::vector<base::RobotId>& members = robots_of(c);
+    if (!state(members.front()).has_place) return true;
+    std::optional<geom::Point> looked_from;
+    for (std::size_t k = 0; k < std::min(members.size(), kMostPlaces); ++k) {
+      const RobotState& robot = state(members[k]);
+      if (!robot.has_place || robot.place == looked_from) continue;
+      looked_from = robot.place;
+      const std::string who =
+          k == 0 ? in_backticks(mission::addressee(mission_, c)) : fmt::format("robot {}", members[k].value);
+      if (!ways_.check(c, {who, robot.place}, most_room(c), success_radius(c))) return false;
+    }
+    return true;
   }
 
   // Who goes where they settle among themselves.
@@ -214,7 +232,8 @@ class PlanCheck {
     const base::RobotId first = robots_of(c).front();
     if (state(first).has_place) {
       one_by_one(c, [&](const UnitCommand& one) {
-        ways_.check(one, state(first).place, room_of(first), success_radius(c));
+        ways_.check(one, {in_backticks(mission::addressee(mission_, one)), state(first).place},
+                    room_of(first), success_radius(c));
       });
     }
     for (const base::RobotId id : robots_of(c)) state(id).has_place = false;
@@ -268,7 +287,8 @@ class PlanCheck {
   void check_start(const UnitCommand& c) {
     const std::vector<base::RobotId>& members = robots_of(c);
     const double spacing = geom::length(c.start_step);
-    if (members.size() > 1 && spacing < 2.0 * body_radius(members.front())) {
+    // Without offsets that is meant.
+    if (members.size() > 1 && spacing > 0.0 && spacing < 2.0 * body_radius(members.front())) {
       diagnostics_
           .warning(
               "start-on-one-spot", c.place,
@@ -278,13 +298,24 @@ class PlanCheck {
               fmt::format("write `START {} 0 20` for a row to the north, 20 m apart", c.place_name));
     }
     check_fences(c);
+    check_start_places(c);
+  }
+
+  void check_start_places(const UnitCommand& c) {
+    const std::vector<base::RobotId>& members = robots_of(c);
     const overlay::Area area = mission_.overlay.mission_area();
     Met outside;
     Met inside;
+    Met mined;
     const overlay::ObstacleDisc* obstacle = nullptr;
+    const overlay::ControlMeasure* minefield = nullptr;
     for (std::size_t k = 0; k < members.size(); ++k) {
       const geom::Point p = c.goal + c.start_step * static_cast<double>(k);
       if (goals_.is_outside(p)) outside.add(members[k]);
+      if (const overlay::ControlMeasure* around = goals_.minefield_at(p)) {
+        if (minefield == nullptr) minefield = around;
+        mined.add(members[k]);
+      }
       const overlay::ObstacleDisc* hit = goals_.obstacle_at(p, body_radius(members[k]));
       if (hit == nullptr) continue;
       if (obstacle == nullptr) obstacle = hit;
@@ -302,6 +333,13 @@ class PlanCheck {
                                fmt::format("{} of {} in an obstacle and will be moved, first robot {}",
                                            inside.count, starting(members.size()), inside.first.value));
       if (obstacle->place.source) warning.notes.push_back({"the obstacle is here", obstacle->place});
+    }
+    if (mined.count > 0) {
+      auto& warning = diagnostics_.warning(
+          "start-in-minefield", c.goal_place,
+          fmt::format("{} of {} in a minefield, which robots keep out of, first robot {}", mined.count,
+                      starting(members.size()), mined.first.value));
+      if (minefield->place.source) warning.notes.push_back({"the minefield is here", minefield->place});
     }
   }
 

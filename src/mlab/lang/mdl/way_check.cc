@@ -79,14 +79,14 @@ std::optional<ways::Planner::NoWay> WayCheck::no_way(ways::Planner& planner, geo
   return way.error();
 }
 
-bool WayCheck::check(const mission::UnitCommand& command, geom::Point from, Room room, double success) {
+bool WayCheck::check(const mission::UnitCommand& command, const From& from, Room room, double success) {
   const geom::Point goal = mission::goal_of(command);
   if (ground_.discs.size() > kMostThings || ground_.walls.size() > kMostThings) return true;
   if (ground_.discs.empty() && ground_.walls.empty()) return true;
-  if (!ground_.bounds.contains(from) || !ground_.bounds.contains(goal)) return true;
-  if (distance(from, goal) <= success || !(room.radius > kThin)) return true;
+  if (!ground_.bounds.contains(from.place) || !ground_.bounds.contains(goal)) return true;
+  if (distance(from.place, goal) <= success || !(room.radius > kThin)) return true;
   if (!has_effort_left()) return true;
-  const auto none = no_way(planner(room.half()), from, goal, success);
+  const auto none = no_way(planner(room.half()), from.place, goal, success);
   if (none) warn(command, from, room, success, none->nearest);
   return !none;
 }
@@ -101,21 +101,21 @@ void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const 
   if (place.source) warning.notes.push_back({"this wall is in the way", place});
 }
 
-void WayCheck::warn(const mission::UnitCommand& command, geom::Point from, Room room, double success,
+void WayCheck::warn(const mission::UnitCommand& command, const From& from, Room room, double success,
                     geom::Point nearest) {
   const geom::Point goal = mission::goal_of(command);
   const std::string where =
       fmt::format("no way leads to {} from {:g} {:g}, where {} is by then", in_backticks(command.place_name),
-                  from.x, from.y, in_backticks(mission::addressee(mission_, command)));
+                  from.place.x, from.place.y, from.who);
   // The widest gap that there is, if any: too narrow for the body, wide enough for the thin one.
-  if (!no_way(planner(kThin), from, goal, success)) {
+  if (!no_way(planner(kThin), from.place, goal, success)) {
     double passes = kThin;
     double stuck = room.half();
     for (int i = 0; i < 10 && has_effort_left(); ++i) {
       const double half = 0.5 * (passes + stuck);
       ways::Planner tried(ground_, half);
       effort_ += tried.effort();
-      (no_way(tried, from, goal, success) ? stuck : passes) = half;
+      (no_way(tried, from.place, goal, success) ? stuck : passes) = half;
     }
     const std::string body =
         passes < room.radius

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mlab/mission/mission.h"
@@ -28,17 +29,21 @@ class WayCheck {
     double margin = 0.0;  ///< that it keeps from what stands there where there is least room
     double half() const { return radius + margin; }
   };
-  /// @param from     where it is [m, world]
+  /// Who is where.
+  struct From {
+    std::string who;    ///< as it is told
+    geom::Point place;  ///< [m, world]
+  };
   /// @param success  who is so near to the goal is there [m]
   /// @return  false: no way leads there
-  bool check(const mission::UnitCommand& command, geom::Point from, Room room, double success);
+  bool check(const mission::UnitCommand& command, const From& from, Room room, double success);
 
  private:
   ways::Planner& planner(double clearance);
   bool has_effort_left() const;
   std::optional<ways::Planner::NoWay> no_way(ways::Planner& planner, geom::Point from, geom::Point goal,
                                              double success);
-  void warn(const mission::UnitCommand& command, geom::Point from, Room room, double success,
+  void warn(const mission::UnitCommand& command, const From& from, Room room, double success,
             geom::Point nearest);
   void note_thing(std::uint32_t thing, text::Diagnostic& warning) const;
 
