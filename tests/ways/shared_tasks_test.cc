@@ -500,6 +500,24 @@ TEST_F(SharedTasks, WhatALostRobotHadIsSearchedByTheOthers) {
   EXPECT_GE(seen.share(), 0.99);  // 5.2 m are kept from rocks, 5 m are seen
 }
 
+TEST_F(SharedTasks, ASwathWiderThanTheAreaSeesAllOfIt) {
+  make(1, "", "SEARCH U SWATH 10000", "OBJ U 60 40 160 40 160 160 130 160 130 80 90 80 90 160 60 160\n");
+  go(600);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(told_.find("can be searched"), std::string::npos) << told_;
+}
+
+TEST_F(SharedTasks, AnOutlineWithoutAreaIsToldAsSuch) {
+  for (const char* corners : {"60 60 70 70 100 100", "60 60 60 60 60 60"}) {
+    told_.clear();
+    make(1, "", "SEARCH Line", fmt::format("OBJ Line {}\n", corners));
+    go(600);
+    EXPECT_EQ(run_->state().outcome, mission::Outcome::kFailed) << told_;
+    EXPECT_NE(told_.find("Line has no area"), std::string::npos) << told_;
+    EXPECT_LT(run_->time(), 20.0);
+  }
+}
+
 TEST_F(SharedTasks, AnAreaThatCanNotBeSeenIsToldBeforehand) {
   make(1, "", "SEARCH Far", "OBJ Far 700 500 800 500 800 600\n");
   go(600);
