@@ -202,6 +202,42 @@ TEST(NextErrand, KeepsToTheLegsOfASearchRoundWhatNobodyKnewOf) {
   EXPECT_EQ(asked(p, Kind::kFinishTask).size(), 1U);
 }
 
+TEST(NextErrand, BeginsAPieceOfASearchAtTheNextCornerWhereItCanNotComeToTheFirst) {
+  Unit unit{.route = {{20, 0}, {40, 0}, {40, 9}}, .task = Task::kSearch};
+  unit.add(0, ContractState::kAwarded, 2);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.step();
+  EXPECT_EQ(p.output<geom::Point>(), (geom::Point{20, 0}));
+  p.percepts.pose.position = {19, 1.5};
+  p.set("left", schema::kClosedEnd + 0.1).step();
+  p.action = {};
+  p.set("left", 20.0).step();
+  EXPECT_EQ(p.output<geom::Point>(), (geom::Point{25, 0})) << "back to the lane beyond what stands there";
+  EXPECT_TRUE(asked(p, Kind::kRenegeTask).empty());
+  p.percepts.pose.position = {40, 0};
+  for (int corner = 0; corner < 3; ++corner) {
+    p.action = {};
+    p.set("left", 0.1).step();
+  }
+  EXPECT_EQ(asked(p, Kind::kFinishTask).size(), 1U);
+}
+
+TEST(NextErrand, GivesBackAPieceOfASearchOfWhichItComesToNothing) {
+  Unit unit{.route = {{20, 0}, {40, 0}, {40, 9}}, .task = Task::kSearch};
+  unit.add(0, ContractState::kStarted, 2);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.step();
+  int cycles = 0;
+  for (; asked(p, Kind::kRenegeTask).empty() && cycles < 5000; ++cycles) {
+    p.action = {};
+    p.set("left", 10.0).step();
+    EXPECT_TRUE(asked(p, Kind::kFinishTask).empty());
+  }
+  EXPECT_LT(cycles, 5000);
+  EXPECT_EQ(std::string(p.action.alert.data()),
+            "Way: gives back part 1 of 1, at (20, 0): it comes no nearer");
+}
+
 TEST(NextErrand, TakesOnePieceAtATimeAndLeavesOthersTheirShares) {
   // Eight pieces, from one side to the other: two shares.
   Unit unit{.route = {}, .task = Task::kSearch};
@@ -252,6 +288,57 @@ TEST(ErrandsLeft, CountsThoseThatAreNotDone) {
   flow::BehaviorProbe p = unit.probe_of("ErrandsLeft");
   p.step();
   EXPECT_EQ(p.output<double>(), 2.0);
+}
+
+TEST(ErrandsLeft, IsBelowZeroWhereNobodyWantsWhatIsLeft) {
+  Unit unit{.route = {{0, 0}, {14, 3}, {1, 1}}};
+  unit.add(0, ContractState::kDone, 1).add(1, ContractState::kFailed).add(2, ContractState::kStarted, 1);
+  flow::BehaviorProbe p = unit.probe_of("ErrandsLeft");
+  const auto left = [&](double time) {
+    unit.tell(p);
+    p.percepts.time = time;
+    p.step();
+    return p.output<double>();
+  };
+  EXPECT_EQ(left(100.0), 2.0) << "somebody is at work";
+  unit.contracts[2].state = ContractState::kFailed;
+  EXPECT_EQ(left(4.0), 2.0) << "somebody may announce them anew";
+  EXPECT_EQ(left(6.0), -2.0);
+  unit.contracts.clear();
+  unit.route.clear();
+  EXPECT_EQ(left(0.0), -1.0) << "there is nothing that could be done";
+}
+
+TEST(ErrandsLeft, OfAPatrolIsBelowZeroForWhoComesToNoPlace) {
+  const Unit unit{.route = {{100, 0}, {200, 0}, {200, 20}}, .task = Task::kPatrol};
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  const auto left_after = [&](double left) {
+    p.action = {};
+    p.set("left", left).step();
+    flow::BehaviorProbe other = unit.probe_of("ErrandsLeft");
+    const std::vector<SharedPlace> places{
+        {{2}, asked(p, Kind::kSharePlace)[0].object, {}, p.percepts.pose.position, 0.0}};
+    other.percepts.shared_places = places;
+    other.step();
+    return other.output<double>();
+  };
+  EXPECT_EQ(left_after(90.0), 1.0);
+  EXPECT_EQ(left_after(1.0), 1.0);
+  for (const double left : {1.0, 1.0, -1.0, -1.0})
+    EXPECT_EQ(left_after(schema::kClosedEnd + 1.0), left > 0.0 ? 1.0 : -1.0);
+  EXPECT_EQ(left_after(1.0), 1.0) << "a way is open again";
+}
+
+TEST(NextErrand, CountsPlacesThatNoWayLeadsToAsPassed) {
+  const Unit unit{.route = {{10, 0}, {20, 0}, {20, 20}}, .task = Task::kPatrol};
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.step();
+  for (const double left : {1.0, schema::kClosedEnd + 1.0, 1.0, 1.0}) {
+    p.action = {};
+    p.set("left", left).step();
+  }
+  EXPECT_TRUE(
+      schema::tour_place(p.percepts.order, {{2}, p.action.requests[0].object, {}, {}, 0.0})->has_gone_round);
 }
 
 TEST(NextErrand, GoesRoundAndTellsWhereItIs) {
@@ -358,6 +445,40 @@ TEST(TellOfErrand, OfTheLeaderLooksAtAllPlaces) {
       EXPECT_EQ(told.find("no way to (50, 50) is known") != std::string::npos, rank == 0) << told;
     }
   }
+}
+
+TEST(TellOfErrand, OfALeaderThatIsShutInSaysThatAndLeavesThePlacesToTheNext) {
+  const std::vector<geom::Segment> room{
+      {{0, -10}, {20, -10}}, {{20, -10}, {20, 10}}, {{20, 10}, {0, 10}}, {{0, 10}, {0, -10}}};
+  Unit unit{.route = {{50, 50}, {70, 30}}};
+  const auto told_by = [&](std::uint32_t rank, geom::Point here) {
+    flow::BehaviorProbe p = unit.probe_of("TellOfErrand");
+    p.percepts.pose.position = here;
+    p.percepts.unit.rank = static_cast<std::uint16_t>(rank);
+    // What was planned on ground of the same revision is remembered.
+    p.percepts.ground = {.revision = 19, .discs = {}, .walls = room, .bounds = {-100, -100, 100, 100}};
+    ways::PlannedWay way;
+    way.corners = {here};
+    way.count = 1;
+    way.end = ways::WayEnd::kClosedOff;
+    p.set("way", way).set("goal", geom::Point{50, 50});
+    std::string told;
+    for (int cycle = 0; cycle < 5; ++cycle) {
+      p.action = {};
+      p.step();
+      told += p.action.alert.data();
+      for (const Request& one : asked(p, Kind::kSharePlace))
+        unit.places.push_back({p.percepts.id, one.object, {}, here, 0.0});
+    }
+    return told;
+  };
+  EXPECT_EQ(told_by(1, {10, 0}), "") << "the first one tells";
+  EXPECT_EQ(told_by(0, {10, 0}),
+            "Way: no way leads out of where robot 2 is: a wall at (19.9, 10.0) is in front of it");
+  ASSERT_EQ(unit.places.size(), 1U);
+  EXPECT_NE(told_by(1, {10, 0}).find("no way leads out"), std::string::npos);
+  ASSERT_EQ(unit.places.size(), 2U);
+  EXPECT_EQ(told_by(1, {40, 0}), "") << "nor does it lead now";
 }
 
 TEST(TellOfErrand, OfOthersNamesWhatWasNotKnownAtTheBeginning) {

@@ -290,6 +290,64 @@ TEST_F(SharedTasks, PlacesThatNoWayLeadsToAreNamedAtOnceAndOnce) {
   }
 }
 
+TEST_F(SharedTasks, APlaceOnWhichAnotherRobotStandsIsVisitedBesideIt) {
+  make(2, "UNIT <parked> ROBOT\n", "VISIT 100 100 300 200 AND UNIT parked START 300 200");
+  go(600);
+  EXPECT_TRUE(is_done()) << told_;
+}
+
+TEST_F(SharedTasks, ASearchLeavesOutTheCornerOnWhichAnotherRobotStands) {
+  // Where the first lane begins, and another one ends.
+  for (const char* place : {"65 65", "65 135", "135 65", "135 135"}) {
+    SCOPED_TRACE(place);
+    make(2, "UNIT <parked> ROBOT\n", fmt::format("SEARCH Field SWATH 10 AND UNIT parked START {}", place),
+         "OBJ Field 60 60 140 60 140 140 60 140\n");
+    Seen seen({60, 60}, {140, 140}, {}, 10.0);
+    search(seen);
+    EXPECT_TRUE(is_done()) << told_;
+    EXPECT_GE(seen.share(), 0.99);
+    EXPECT_LT(run_->time(), 450.0);
+  }
+}
+
+TEST_F(SharedTasks, WhatAllHaveGivenBackEndsTheCommandSoon) {
+  const std::string room = "WALL room 400 300 440 300 440 340 400 340 400 300\n";
+  make(2, "", "VISIT 100 100 420 320", room);
+  go(600);
+  EXPECT_EQ(run_->state().outcome, mission::Outcome::kFailed);
+  EXPECT_NE(told_.find("failed: its robots can do no more of it; robot 1 at"), std::string::npos) << told_;
+  // Both have been there; so long it was alone.
+  EXPECT_LT(run_->time(), 250.0);
+}
+
+TEST_F(SharedTasks, APatrolWhoseRobotsComeToNoPlaceEndsSoon) {
+  make(2, "", "PATROL 300 100 300 300", "WALL room 10 140 60 140 60 190 10 190 10 140\n");
+  go(600);
+  EXPECT_EQ(run_->state().outcome, mission::Outcome::kFailed);
+  EXPECT_NE(told_.find("no way leads out of where robot 1 is: a wall at"), std::string::npos) << told_;
+  EXPECT_NE(told_.find("no way leads out of where robot 2 is"), std::string::npos) << told_;
+  EXPECT_LT(run_->time(), 60.0);
+}
+
+TEST_F(SharedTasks, WhoIsShutInLeavesItToTheOthersToTellOfPlaces) {
+  make(2, "", "VISIT 100 100 420 320",
+       "WALL cell 15 145 25 145 25 155 15 155 15 145\n"
+       "WALL room 400 300 440 300 440 340 400 340 400 300\n");
+  go(5);
+  EXPECT_NE(told_.find("no way leads out of where robot 1 is: a wall at"), std::string::npos) << told_;
+  EXPECT_NE(told_.find("no way to (420, 320) is known"), std::string::npos) << told_;
+  EXPECT_EQ(told_.find("no way to (100, 100)"), std::string::npos) << told_;
+  go(600);
+  EXPECT_EQ(told_.find("no way to (420, 320)"), told_.rfind("no way to (420, 320)")) << told_;
+}
+
+TEST_F(SharedTasks, APatrolComesOnThoughNoWayLeadsToOneOfItsPlaces) {
+  make(1, "", "PATROL 20 150 420 320 560 20 SPEED 0.5",
+       "WALL room 400 300 440 300 440 340 400 340 400 300\n");
+  go(400);
+  EXPECT_EQ(run_->state().outcome, mission::Outcome::kRunning) << told_;
+}
+
 TEST_F(SharedTasks, UntilEndsAVisit) {
   make(2, "", "VISIT 100 100 500 300 550 20 UNTIL TIMEOUT 30");
   go(600);
@@ -440,6 +498,24 @@ TEST_F(SharedTasks, WhatALostRobotHadIsSearchedByTheOthers) {
   EXPECT_TRUE(is_done()) << told_;
   EXPECT_EQ(lost().size(), 1U);
   EXPECT_GE(seen.share(), 0.99);  // 5.2 m are kept from rocks, 5 m are seen
+}
+
+TEST_F(SharedTasks, ASwathWiderThanTheAreaSeesAllOfIt) {
+  make(1, "", "SEARCH U SWATH 10000", "OBJ U 60 40 160 40 160 160 130 160 130 80 90 80 90 160 60 160\n");
+  go(600);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(told_.find("can be searched"), std::string::npos) << told_;
+}
+
+TEST_F(SharedTasks, AnOutlineWithoutAreaIsToldAsSuch) {
+  for (const char* corners : {"60 60 70 70 100 100", "60 60 60 60 60 60"}) {
+    told_.clear();
+    make(1, "", "SEARCH Line", fmt::format("OBJ Line {}\n", corners));
+    go(600);
+    EXPECT_EQ(run_->state().outcome, mission::Outcome::kFailed) << told_;
+    EXPECT_NE(told_.find("Line has no area"), std::string::npos) << told_;
+    EXPECT_LT(run_->time(), 20.0);
+  }
 }
 
 TEST_F(SharedTasks, AnAreaThatCanNotBeSeenIsToldBeforehand) {

@@ -254,6 +254,19 @@ bool has_nobody_left(const State& state, const Run& run) {
   });
 }
 
+// All that share it, as far as they run, can do no more of it.
+bool is_given_up(const State& state, const Run& run) {
+  if (!info(run.command->task).is_shared) return false;
+  bool has_some = false;
+  for (const base::RobotId id : run.needed) {
+    const RobotState* robot = find_robot(state, id);
+    if (robot == nullptr || !robot->is_running) continue;
+    if (robot->run != index_of(state, run) || !can_do_no_more(*robot)) return false;
+    has_some = true;
+  }
+  return has_some;
+}
+
 struct Verdict {
   Failure failure = Failure::kNone;  // none: it goes on
   std::string why;
@@ -264,6 +277,9 @@ Verdict judge(const State& state, const Run& run) {
   // Time to replace a robot, for an operator who looks on.
   constexpr double kNobodyCame = 30.0;  // [s]
   if (state.options.patience <= 0.0) return {};
+  if (is_given_up(state, run))
+    return {has_lost_robots(state, run) ? Failure::kRobotsLost : Failure::kNoProgress,
+            "its robots can do no more of it"};
   if (run.stalled >= state.options.patience)
     return {has_lost_robots(state, run) ? Failure::kRobotsLost : Failure::kNoProgress,
             fmt::format("no progress for {:.0f} s", run.stalled)};

@@ -56,6 +56,8 @@ std::size_t pieces_of(const ways::Coverage& found, const UnitCommand& command, s
 std::string warning_of(const ways::Coverage& found, const UnitCommand& command, const std::string& name) {
   using End = ways::CoverageEnd;
   switch (found.end) {
+    case End::kNoArea:
+      return fmt::format("{} has no area: there is nothing to search", name);
     case End::kNothingToSearch:
     case End::kUnusable:
       return fmt::format("nothing of {} can be searched: it is closed off, or too near to obstacles", name);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -56,6 +57,10 @@ inline bool is_step(const State& state, std::uint32_t owner) {
 }
 /// The run of an order of the operator that this robot is under; null where there is none.
 const Run* order_of_robot(const State& state, base::RobotId id);
+/// Whether a robot has said last that it can do no more of what its unit shares.
+inline bool can_do_no_more(const RobotState& robot) {
+  return robot.reported == robot.sequence && std::isinf(robot.best);
+}
 /// Where the run stands in State::runs.
 inline std::uint32_t index_of(const State& state, const Run& run) {
   return static_cast<std::uint32_t>(&run - state.runs.data());

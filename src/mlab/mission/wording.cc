@@ -124,6 +124,8 @@ std::string reason(const State& state, const Run& run, const RobotState& robot) 
   if (!robot.is_running) return "not running, stopped by a fault or a failsafe";
   if (robot.reported == 0) return "its program does not report on orders";
   if (robot.reported != robot.sequence) return "it has not taken up the order";
+  if (info(run.command->task).is_shared && can_do_no_more(robot))
+    return "it can come to nothing that is left";
   const Group* group = find_group(state, robot.sequence);
   if (group != nullptr && group->halted) return "halted while another part of the unit moves";
   return "no progress";

@@ -62,7 +62,7 @@ struct OrderStatus {
   std::uint32_t sequence = 0;  ///< of the order that this speaks of; 0: the program tells nothing
   bool done = false;
   double remaining = 0.0;  ///< what is still to be done [m]; its falling counts (where a unit shares it: its
-                           ///< changing); < 0: no length
+                           ///< changing); < 0: no length; infinite: it can do no more
 };
 
 /// What a robot does in one cycle. Plain data; the binding carries it out.

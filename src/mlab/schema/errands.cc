@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include <fmt/core.h>
 
 #include "mlab/base/hash.h"
 #include "mlab/schema/contracts.h"
@@ -51,6 +54,7 @@ double extent_of(std::span<const geom::Point> points) {
 }
 
 constexpr std::uint32_t kLegBits = 8;
+constexpr std::uint32_t kFlagBits = 3;
 // Of 20 random fields with 20 places and 5 robots all have ways of at most 1.14 times the shortest together,
 // and take two thirds of the time that the shortest take.
 constexpr double kFairness = 0.8;
@@ -87,6 +91,16 @@ bool Errands::has_one(base::RobotId robot) const {
                      [&](const Contract* one) { return one != nullptr && is_held(*one, robot); });
 }
 
+bool Errands::are_given_up(double time) const {
+  // Who would take one has announced it anew long before [s].
+  constexpr double kSettled = 5.0;
+  return std::all_of(
+      contracts_.begin(), contracts_.begin() + static_cast<std::ptrdiff_t>(count_), [&](const Contract* one) {
+        return one != nullptr && (one->state == ContractState::kDone ||
+                                  (one->state == ContractState::kFailed && time - one->time > kSettled));
+      });
+}
+
 bool Errands::is_share_of_another(std::size_t errand, base::RobotId robot) const {
   const std::size_t first = errand / percept::kPiecesOfAShare * percept::kPiecesOfAShare;
   for (std::size_t i = first; i < std::min(first + percept::kPiecesOfAShare, count_); ++i) {
@@ -114,9 +128,10 @@ LegWatch::Verdict LegWatch::look(double left, double tolerance, double patience,
     least_ = left;
     nearer_at_ = time;
   }
+  is_closed_ = left >= kClosedEnd;
   if (left <= tolerance) return Verdict::kThere;
-  const bool is_closed = left >= kClosedEnd && left <= kClosedEnd + tolerance;
-  return is_closed || time - nearer_at_ > patience ? Verdict::kInVain : Verdict::kUnderWay;
+  const bool is_at_end = is_closed_ && left <= kClosedEnd + tolerance;
+  return is_at_end || time - nearer_at_ > patience ? Verdict::kInVain : Verdict::kUnderWay;
 }
 
 namespace {
@@ -265,37 +280,74 @@ bool come_back_to_leg(std::span<const geom::Point> way, geom::Point here, LegWat
   return came_back;
 }
 
+// That it has come to nothing of a part, and what stands there.
+void tell_of_lost(const Percepts& percepts, const Errands& errands, std::size_t errand,
+                  percept::Action& action) {
+  constexpr double kBeside = 1.0;  // [m]
+  const geom::Point place = errands.way(errand).front();
+  std::string why = "it comes no nearer";
+  for (const percept::RobotReading& robot : percepts.robots) {
+    if (geom::distance(percepts.pose.point_at(robot.center), place) > robot.radius + kBeside) continue;
+    why = fmt::format("robot {} stands there", robot.id.value);
+    break;
+  }
+  alert(action, "Way",
+        fmt::format("gives back part {} of {}, at ({:.0f}, {:.0f}): {}", errand + 1, errands.count(), place.x,
+                    place.y, why));
+}
+
 // What comes of the part that this robot has next. @return where it is to go for that
-geom::Point go_on_with(const Errands& errands, std::size_t errand, const Contract& contract,
-                       LegWatch::Verdict verdict, double time, geom::Point here, ErrandState& state,
+geom::Point go_on_with(const Percepts& percepts, const Errands& errands, std::size_t errand,
+                       const Contract& contract, LegWatch::Verdict verdict, ErrandState& state,
                        LegWatch& watch, percept::Action& action) {
+  const geom::Point here = percepts.pose.position;
+  const double time = percepts.time;
   const std::span<const geom::Point> way = errands.way(errand);
   if (state.current != static_cast<std::int32_t>(errand)) {
     state.current = static_cast<std::int32_t>(errand);
     state.leg = 0;
     state.along = 0.0;
     state.comes_back = false;
+    state.was_there = false;
     watch.head_for_next(time);
     verdict = LegWatch::Verdict::kUnderWay;
   }
+  if (state.leg < way.size() && verdict == LegWatch::Verdict::kThere) state.was_there = true;
   if (come_back_to_leg(way, here, verdict, time, state, watch)) verdict = LegWatch::Verdict::kUnderWay;
-  // Of a piece that it has begun with it leaves out what it can't come to.
-  const bool is_lost = verdict == LegWatch::Verdict::kInVain && state.leg == 0;
-  if (verdict != LegWatch::Verdict::kUnderWay && !is_lost) {
+  // What it can't come to it leaves out.
+  if (state.leg < way.size() && verdict != LegWatch::Verdict::kUnderWay) {
     ++state.leg;
     state.along = 0.0;
     state.comes_back = false;
     watch.head_for_next(time);
   }
-  if (is_lost) {
+  const bool is_through = state.leg >= way.size();
+  if (is_through && !state.was_there) {
+    if (!state.given_back.has(errand) && !watch.is_closed()) tell_of_lost(percepts, errands, errand, action);
     state.given_back.add(errand);
     ask_once(action, about_task(Request::Kind::kRenegeTask, contract));
-  } else if (state.leg >= way.size()) {
+    return way.back();
+  }
+  if (is_through) {
     ask_once(action, about_task(Request::Kind::kFinishTask, contract));
   } else if (contract.state == ContractState::kAwarded) {
     ask_once(action, about_task(Request::Kind::kStartTask, contract));
   }
-  return state.leg < way.size() ? on_leg(way, state) : here;
+  return is_through ? here : on_leg(way, state);
+}
+
+// As it told it last.
+TourPlace own_tour_place(const Percepts& percepts) {
+  for (const percept::SharedPlace& shared : percepts.shared_places) {
+    const auto place = tour_place(percepts.order, shared);
+    if (place && shared.from == percepts.id) return *place;
+  }
+  return {};
+}
+
+// Where no way led to any place of the round when these were last tried, one after the other.
+bool comes_to_none(const TourState& state, std::size_t places) {
+  return state.in_vain >= places;
 }
 
 }  // namespace
@@ -312,7 +364,7 @@ geom::Point next_errand(const Percepts& percepts, LegWatch::Verdict verdict, Err
   if (next == nullptr || !is_held(*next, percepts.id)) next = next_task(percepts, errands.task());
   const auto errand = next == nullptr ? std::nullopt : errands.errand_of(*next);
   if (errand)
-    out = go_on_with(errands, *errand, *next, verdict, percepts.time, out, state, watch, action);
+    out = go_on_with(percepts, errands, *errand, *next, verdict, state, watch, action);
   else
     state.current = -1;
   if (percepts.order.task == Task::kSearch)
@@ -330,10 +382,13 @@ geom::Point next_tour_place(const Percepts& percepts, LegWatch::Verdict verdict,
   if (tour.empty()) return here;
   if (verdict != LegWatch::Verdict::kUnderWay) {
     state.at.leg = (state.at.leg + 1) % tour.size();
-    state.passed += verdict == LegWatch::Verdict::kThere ? 1 : 0;
+    state.in_vain = verdict == LegWatch::Verdict::kThere ? 0 : state.in_vain + 1;
+    state.passed = comes_to_none(state, tour.size()) ? 0 : state.passed + 1;
     watch.head_for_next(percepts.time);
   }
-  state.at.has_gone_round = state.passed > tour.size();
+  state.at.has_gone_round = state.at.has_gone_round || state.passed > tour.size();
+  state.at.is_shut_in = verdict != LegWatch::Verdict::kThere && own_tour_place(percepts).is_shut_in;
+  state.at.comes_to_none = state.at.is_shut_in || comes_to_none(state, tour.size());
   Request told = share_place(here);
   told.object = tour_code(percepts.order, state.at);
   action.ask(told);
@@ -341,14 +396,16 @@ geom::Point next_tour_place(const Percepts& percepts, LegWatch::Verdict verdict,
 }
 
 base::ObjectId tour_code(const percept::Order& order, TourPlace place) {
-  const std::uint32_t flag = place.has_gone_round ? 1 : 0;
+  const std::uint32_t flags =
+      (place.has_gone_round ? 1U : 0U) | (place.comes_to_none ? 2U : 0U) | (place.is_shut_in ? 4U : 0U);
   const auto leg = static_cast<std::uint32_t>(place.leg);
-  return {order.sequence << (kLegBits + 1) | flag << kLegBits | (leg & ((1U << kLegBits) - 1))};
+  return {order.sequence << (kLegBits + kFlagBits) | flags << kLegBits | (leg & ((1U << kLegBits) - 1))};
 }
 
 std::optional<TourPlace> tour_place(const percept::Order& order, const percept::SharedPlace& shared) {
   const std::uint32_t code = shared.object.value;
-  const TourPlace out{code & ((1U << kLegBits) - 1), (code >> kLegBits & 1U) != 0};
+  const TourPlace out{code & ((1U << kLegBits) - 1), (code >> kLegBits & 1U) != 0,
+                      (code >> (kLegBits + 1) & 1U) != 0, (code >> (kLegBits + 2) & 1U) != 0};
   if (out.leg >= order.route.size() || tour_code(order, out) != shared.object) return std::nullopt;
   return out;
 }
@@ -382,6 +439,7 @@ double patrol_pace(const Percepts& percepts, double patience, double slowest) {
   for (const percept::SharedPlace& shared : percepts.shared_places) {
     const auto place = tour_place(percepts.order, shared);
     if (!place || shared.from == percepts.id || percepts.time - shared.time > patience) continue;
+    if (place->comes_to_none) continue;
     ++robots;
     double gap = std::fmod(way_round(tour, place->leg, shared.place) - *own + round, round);
     // Side by side: who has the lower number is ahead.

@@ -35,6 +35,9 @@ class Errands {
   std::optional<std::size_t> errand_of(const percept::Contract& contract) const;
   /// Whether that robot has one that is not done.
   bool has_one(base::RobotId robot) const;
+  /// Whether those that are left were given back by all who could have them: for some seconds nobody has had
+  /// one, or wanted one. Where there is none at all, nobody can.
+  bool are_given_up(double time) const;
   /// Whether a piece is the last one of its share that nobody has, and somebody else is on the one before: he
   /// goes straight on with it, before who would come from elsewhere.
   bool is_left_to_another(std::size_t errand, base::RobotId robot) const;
@@ -55,17 +58,23 @@ struct ErrandSet {
 
   bool has(std::size_t errand) const { return (bits[errand / 64] >> (errand % 64) & 1U) != 0; }
   void add(std::size_t errand) { bits[errand / 64] |= std::uint64_t{1} << (errand % 64); }
+  /// The first one, which is not in it any more then; nothing: it is empty.
+  std::optional<std::size_t> take_first();
 };
 
 /// Where a robot is on its way round the places of a PATROL. It tells that with its place: in the number of
-/// the object that a SharedPlace is about.
+/// the object that a SharedPlace is about. Of a VISIT only that it is shut in is told.
 struct TourPlace {
   std::size_t leg = 0;  ///< it heads for that place of the route
   bool has_gone_round = false;
+  bool comes_to_none = false;  ///< it has come to none of the places, and can't
+  bool is_shut_in = false;     ///< no way leads out of where it is
 };
 base::ObjectId tour_code(const percept::Order& order, TourPlace place);
 /// Nothing: it speaks of something else.
 std::optional<TourPlace> tour_place(const percept::Order& order, const percept::SharedPlace& shared);
+/// How many robots have told of this order that they are shut in.
+std::size_t shut_in_robots(const percept::Percepts& percepts);
 
 /// The leg of the tour that is nearest to a place.
 std::size_t nearest_leg(std::span<const geom::Point> tour, geom::Point p);
@@ -85,10 +94,13 @@ class LegWatch {
   /// @param tolerance  so near it is there [m]
   /// @param patience   it is in vain after so long without coming nearer [s]
   Verdict look(double left, double tolerance, double patience, double time);
+  /// Whether the way to what it headed for ended before it when that was last looked at.
+  bool is_closed() const { return is_closed_; }
 
  private:
   double least_ = 0.0;  // that was left [m]
   double nearer_at_ = 0.0;
+  bool is_closed_ = false;
 };
 
 /// Which part a robot is on. A value of a frame.
@@ -97,19 +109,23 @@ struct ErrandState {
   std::uint32_t leg = 0;      ///< of that part's way
   double along = 0.0;         ///< the leg, so far it has tried to come back to it [m]
   bool comes_back = false;    ///< it heads for that place, not for the corner
+  bool was_there = false;     ///< at some place of that part
   ErrandSet given_back;       ///< it does not bid for them again
 };
 /// Where a robot is to go next that shares a VISIT or a SEARCH. Announces the parts that nobody has
 /// announced, its own slice first, so that a unit announces all of them soon, and those that nobody wanted,
 /// where this robot would take them. Bids for the part on offer that costs it least: of places by what they
-/// add to its way, of pieces by how far away they begin, those of others' shares last.
+/// add to its way, of pieces by how far away they begin, those of others' shares last. Of a part it leaves
+/// out what it can't come to; where that is all of it gives the part back and, if no closed way tells why,
+/// says so.
 geom::Point next_errand(const percept::Percepts& percepts, LegWatch::Verdict verdict, ErrandState& state,
                         LegWatch& watch, percept::Action& action);
 
 /// How far a robot is on its way round. A value of a frame.
 struct TourState {
   TourPlace at;
-  std::uint32_t passed = 0;  ///< places so far
+  std::uint32_t passed = 0;   ///< places so far: come to, or in vain
+  std::uint32_t in_vain = 0;  ///< in a row
 };
 /// Where a robot is to go next that shares a PATROL. Tells the others where it is.
 geom::Point next_tour_place(const percept::Percepts& percepts, LegWatch::Verdict verdict, TourState& state,
@@ -118,5 +134,26 @@ geom::Point next_tour_place(const percept::Percepts& percepts, LegWatch::Verdict
 /// How fast a robot goes round so that all that do spread evenly: 1, or less where it is nearer to the next
 /// one than its share of the round. Who has told nothing for `patience` [s] does not count.
 double patrol_pace(const percept::Percepts& percepts, double patience, double slowest);
+
+/// What the robot has found that looks at the places of a VISIT or a PATROL for its unit. A value of a frame.
+struct Outlook {
+  std::size_t looked_at = 0;  ///< so many places
+  ErrandSet closed;           ///< no way leads to those, and nobody has been told
+  bool leads_out = false;     ///< a way leads to one, or else away from where the robot is
+  bool is_shut_in = false;
+  bool has_told_unit = false;  ///< that it is shut in
+};
+/// Where the ways of a robot begin: where it is, or beside the area that it keeps out of and stands in [m,
+/// world].
+/// @param radius  of its body [m]
+geom::Point way_begin(const percept::Percepts& percepts, double radius);
+/// Looks at the next place. That no way leads to places is told of others than the robot itself only when it
+/// is known that the robot isn't shut in.
+/// @return  the place of the route that may be told of
+std::optional<std::size_t> look_at_next(const percept::Percepts& percepts, double radius, double margin,
+                                        Outlook& outlook);
+/// Tells the operator, once, and the unit that a robot is shut in. @return  whether it told the operator
+bool tell_of_shut_in(const percept::Percepts& percepts, double radius, double margin, Outlook& outlook,
+                     percept::Action& action);
 
 }  // namespace mlab::schema

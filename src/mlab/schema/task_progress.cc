@@ -1,6 +1,9 @@
 #include "mlab/schema/task_progress.h"
 
 #include <algorithm>
+#include <limits>
+
+#include "mlab/schema/errands.h"
 
 namespace mlab::schema {
 
@@ -28,7 +31,11 @@ TaskProgress task_progress(percept::Task task, const TaskMeasures& measures) {
       // No length, but something that changes as long as the robot comes on.
       constexpr double kNoLength = -1e9;
       constexpr double kErrand = 1e6;
-      const double on_way = std::clamp(measures.way_remaining, 0.0, 0.5 * kErrand);
+      if (measures.errands_left < 0.0) return {false, std::numeric_limits<double>::infinity()};
+      // Towards the end of a way that leads no farther, too.
+      const bool is_closed = measures.way_remaining >= kClosedEnd;
+      const double on_way =
+          std::clamp(measures.way_remaining - (is_closed ? kClosedEnd : 0.0), 0.0, 0.5 * kErrand);
       return {measures.errands_left <= 0.0, kNoLength + kErrand * measures.errands_left + on_way};
     }
     case percept::Task::kTeleoperate:

@@ -13,13 +13,15 @@ struct TaskMeasures {
   double slop = 0.0;             ///< the station error that an OCCUPY allows [m]
   bool teleoperation_complete = false;
   double way_remaining = -1.0;  ///< to the robot's place at the end of a planned way; below 0: none is [m]
-  double errands_left = 1.0;    ///< parts of a command that the unit shares which are not done
+  double errands_left = 1.0;    ///< parts of a command that the unit shares which are not done; below 0:
+                                ///< this robot can do no more of it
 };
 
 /// What task_progress says.
 struct TaskProgress {
   bool done = false;
-  double remaining = 0.0;  ///< [m]; 0 where done. Teleoperation has no measure: 1 until it is done
+  double remaining = 0.0;  ///< [m]; 0 where done; infinite: it can do no more. Teleoperation has no measure:
+                           ///< 1 until it is done
 };
 
 /// How far a robot is with its task now; without memory of whether it was done before.

@@ -1,5 +1,7 @@
 #include "mlab/schema/task_progress.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace mlab::schema {
@@ -47,6 +49,21 @@ TEST(TaskProgress, OfStartAndStopIsDoneAtOnceAndOfNoTaskNever) {
   EXPECT_TRUE(task_progress(Task::kStart, measures(99.0, 99.0)).done);
   EXPECT_TRUE(task_progress(Task::kStop, measures(99.0, 99.0)).done);
   EXPECT_FALSE(task_progress(Task::kNone, measures(0.0, 0.0)).done);
+}
+
+TEST(TaskProgress, OfWhatAUnitSharesChangesOnAWayThatLeadsNoFarther) {
+  TaskMeasures now = measures(0.0, 0.0);
+  now.way_remaining = 1e6 + 300.0;
+  const double before = task_progress(Task::kPatrol, now).remaining;
+  now.way_remaining -= 100.0;
+  EXPECT_NEAR(task_progress(Task::kPatrol, now).remaining, before - 100.0, 1e-3);
+}
+
+TEST(TaskProgress, OfWhatAUnitSharesIsInfiniteForWhoCanDoNoMore) {
+  TaskMeasures now = measures(0.0, 0.0);
+  now.errands_left = -2.0;
+  EXPECT_FALSE(task_progress(Task::kVisit, now).done);
+  EXPECT_EQ(task_progress(Task::kVisit, now).remaining, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

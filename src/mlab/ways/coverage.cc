@@ -59,8 +59,30 @@ struct Task {
   std::span<const geom::Segment> opaque;
 };
 
+/// Four times as far as its farthest corners are apart: who sees so wide sees all of it from anywhere in it.
+double widest_swath(std::span<const geom::Point> outline) {
+  double extent = 0.0;
+  for (const geom::Point a : outline) {
+    for (const geom::Point b : outline) extent = std::max(extent, geom::distance(a, b));
+  }
+  constexpr double kLeast = 1.0;  // [m]
+  return std::max(4.0 * extent, kLeast);
+}
+
+bool has_area(std::span<const geom::Point> outline) {
+  if (outline.empty()) return false;
+  constexpr double kFlat = 1e-9;
+  const geom::Point first = outline.front();
+  const auto away = [&](geom::Point p) { return geom::distance(first, p); };
+  const geom::Offset axis = *std::ranges::max_element(outline, {}, away) - first;
+  return std::ranges::any_of(outline, [&](geom::Point p) {
+    return std::abs(geom::cross(axis, p - first)) > kFlat * geom::dot(axis, axis);
+  });
+}
+
 Task task_of(std::span<const geom::Point> outline, const Ground& ground, double swath,
              std::optional<geom::Point> from, const Opaque& opaque) {
+  if (std::isfinite(swath)) swath = std::min(swath, widest_swath(outline));
   return {outline, ground, swath, from, opaque ? std::span(*opaque) : std::span(ground.walls)};
 }
 
@@ -77,6 +99,10 @@ struct Outlook {
     if (lanes) grid = SearchGrid::over(*lanes, swath);
     if (!grid) {
       told.end = CoverageEnd::kTooLarge;
+      return;
+    }
+    if (!has_area(outline)) {
+      told.end = CoverageEnd::kNoArea;
       return;
     }
     planner.emplace(ground, clearances);

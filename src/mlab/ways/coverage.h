@@ -14,6 +14,7 @@ namespace mlab::ways {
 enum class CoverageEnd : std::uint8_t {
   kCovered,          ///< the way sees as much as is wanted of what can be seen
   kPartly,           ///< it sees less; how much is said
+  kNoArea,           ///< the outline's corners lie on one line, or on one spot
   kNothingToSearch,  ///< the outline holds no ground, or nothing of it can be seen
   kUnusable,         ///< numbers that aren't finite or have the wrong sign
   kTooLarge          ///< for this swath: more lanes, cells or waypoints than are computed
@@ -51,7 +52,9 @@ struct Coverage {
 /// inside of
 ///                   an even number of rounds is outside
 /// @param clearances  what the robot's centre keeps from everything, as far as there is room
-/// @param swath      how wide a robot sees, half of it to either side [m], > 0
+/// @param swath      how wide a robot sees, half of it to either side [m], > 0; more than four times the
+/// outline's
+///                   extent sees no more
 /// @param opaque     the walls that hide what is behind them; without, all of the ground's
 /// @param from       where the robots are; without, of parts between which no way leads the one counts in
 ///                   which there is most to see [m, world]

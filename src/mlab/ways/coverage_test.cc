@@ -316,11 +316,20 @@ TEST(Coverage, IsEmptyWhereNothingIsToBeSearched) {
   };
   EXPECT_TRUE(is_nothing({}, {}));
   EXPECT_TRUE(is_nothing({{0.0, 0.0}, {100.0, 0.0}}, {}));
-  EXPECT_TRUE(is_nothing({{0.0, 0.0}, {50.0, 50.0}, {100.0, 100.0}}, {}));
-  EXPECT_TRUE(is_nothing(Outline(5, {3.0, 4.0}), {}));
   EXPECT_TRUE(is_nothing(rectangle(100.0, 100.0), {{{{50.0, 50.0}, 200.0}}, {}, {}}));
   EXPECT_TRUE(is_nothing(rectangle(100.0, 100.0), {{}, {}, {200.0, 200.0, 300.0, 300.0}}));
   EXPECT_TRUE(is_nothing(rectangle(100.0, 100.0), {{}, {}, {300.0, 300.0, 200.0, 200.0}}));
+}
+
+TEST(Coverage, IsEmptyWhereTheOutlineHasNoArea) {
+  const auto has_none = [](const Outline& outline) {
+    const Coverage out = coverage_route(outline, {}, 1.0, 10.0);
+    return out.end == CoverageEnd::kNoArea && out.waypoints.empty();
+  };
+  EXPECT_TRUE(has_none({{0.0, 0.0}, {50.0, 50.0}, {100.0, 100.0}}));
+  EXPECT_TRUE(has_none({{0.1, 0.3}, {0.7, 2.1}, {0.2, 0.6}, {0.5, 1.5}}));
+  EXPECT_TRUE(has_none(Outline(5, {3.0, 4.0})));
+  EXPECT_FALSE(has_none({{0.0, 0.0}, {50.0, 51.0}, {100.0, 100.0}}));
 }
 
 TEST(Coverage, SearchesOutlinesThatTouchOrCrossThemselves) {
