@@ -90,12 +90,12 @@ bool outputs_are_usable(const study::Definition& definition, const std::string& 
 
 study::FailureRecordings deliver_recordings(const study::Batch& batch, study::Summary& summary,
                                             const study::Definition& definition, const study::Plan& plan,
-                                            const Scenes& scenes) {
+                                            const Scenes& scenes, study::Keeper* kept) {
   const std::string folder = recordings_of(definition);
   if (folder.empty()) return {};
-  study::FailureRecordings out =
-      study::record_failures(batch, summary, definition, plan, scenes.all, folder,
-                             {kVersion, overlay_folders(), wall_clock().epoch_seconds}, was_interrupted);
+  study::FailureRecordings out = study::record_failures(
+      batch, summary, definition, plan, scenes.all, folder,
+      {kVersion, overlay_folders(), wall_clock().epoch_seconds}, kept, was_interrupted);
   for (const std::string& problem : out.problems) fmt::print(stderr, "mlab batch: {}\n", problem);
   return out;
 }
