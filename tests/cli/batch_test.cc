@@ -306,8 +306,15 @@ TEST_F(Batches, RefuseWhatTheyCanNotDo) {
   };
   EXPECT_TRUE(has(told("missing.mdl"), "missing.mdl"));
   EXPECT_TRUE(has(told("m.mdl --table m.mdl"), "that is the mission itself, which would be overwritten"));
-  EXPECT_TRUE(has(told("m.mdl --table x --html x"), "another file goes there as well"));
-  EXPECT_TRUE(has(told("m.mdl --table none/x"), "the file can't be written"));
+  EXPECT_TRUE(has(told("m.mdl --table x.json --results x.json"), "another file goes there as well"));
+  EXPECT_TRUE(has(told("m.mdl --table x.txt"), "--table x.txt: expected FILE.csv or FILE.json"));
+  EXPECT_TRUE(
+      has(told("m.mdl --table -"), "--table -: expected FILE.csv or FILE.json; it is written to a file"));
+  EXPECT_TRUE(has(told("m.mdl --html -"), "--html -: expected FILE.html"));
+  EXPECT_TRUE(has(told("m.mdl --table x.csv --resume --merge"), "expected one of them"));
+  EXPECT_TRUE(has(told("m.mdl --set seed=7,8"), "`seed` can't be set: the table has a column of this name"));
+  EXPECT_TRUE(has(told("m.mdl --set duration_s=7"), "`duration_s` can't be set"));
+  EXPECT_TRUE(has(told("m.mdl --table none/x.csv"), "the file can't be written"));
   EXPECT_TRUE(has(told("m.mdl --resume"), "which batch?"));
   EXPECT_TRUE(has(told("m.mdl --runs 0"), "expected a whole number from 1"));
   EXPECT_TRUE(has(told("m.mdl --set base_velocity=2,fast"), "fast"));

@@ -316,6 +316,9 @@ int batch(const BatchOptions& given) {
   std::optional<study::Definition> definition = definition_of(options);
   if (!definition || !read_start_time(*definition)) return kBadInput;
   part.results = results_of(*definition);
+  if (options.resumes && options.merges)
+    return wrong_batch_usage(
+        "--resume goes on with what is missing, --merge carries nothing out: expected one of them");
   const bool resumes = options.resumes || options.merges;
   if (part.results.empty() && resumes)
     return wrong_batch_usage(
