@@ -236,6 +236,34 @@ TEST_F(Batches, KeepWhatIsDoneWhereSomebodyWantsAnEnd) {
   EXPECT_TRUE(has(other.err, "holds runs of another batch: its seed is `1`, here it is `2`")) << other.err;
 }
 
+// Told to end once the first recording is there.
+TEST_F(Batches, FinishRecordingsThatWereInterrupted) {
+  const std::string batch = "batch " + kMissions +
+                            "demo_c/demo_c.mdl --runs 60 --set FAILING-ROBOTS=1 --set FAILURES-WITHIN=400 "
+                            "--start-time '2026-01-01 08:00' --patience 60 --quiet --table t.json";
+  ASSERT_EQ(mlab(batch).status, 0);
+  const std::string whole = text_of(folder_ / "t.json");
+  Outcome out{0, "", ""};
+  for (int i = 0; i < 20 && out.status == 0; ++i) {
+    fs::remove_all(folder_ / "t.failures");
+    fs::remove(folder_ / "t.json");
+    // The shell lets what it starts beside it ignore SIGINT.
+    write("begin.sh",
+          "\"$@\" & while kill -0 $! && ! ls t.failures/*.mcap; do :; done 2> none.txt "
+          ">&2; kill $!; wait $!");
+    out = mlab(batch, "sh begin.sh");
+  }
+  EXPECT_EQ(out.status, 1);
+  EXPECT_TRUE(has(out.err, "interrupted after all 60 runs with ")) << out.err;
+  EXPECT_TRUE(has(out.err, "the runs are kept in t.json.runs, and --resume goes on")) << out.err;
+  EXPECT_FALSE(fs::exists(folder_ / "t.json"));
+  for (const auto& entry : fs::directory_iterator(folder_ / "t.failures"))
+    EXPECT_EQ(mlab("replay --headless '" + entry.path().string() + "'").status, 0) << entry.path();
+  EXPECT_EQ(mlab(batch + " --resume").status, 0);
+  EXPECT_EQ(text_of(folder_ / "t.json"), whole);
+  EXPECT_FALSE(fs::exists(folder_ / "t.json.runs"));
+}
+
 TEST_F(Batches, CompareTwoVersions) {
   write("map.odl", kMap);
   write("a.mdl", kMission);
@@ -278,8 +306,15 @@ TEST_F(Batches, RefuseWhatTheyCanNotDo) {
   };
   EXPECT_TRUE(has(told("missing.mdl"), "missing.mdl"));
   EXPECT_TRUE(has(told("m.mdl --table m.mdl"), "that is the mission itself, which would be overwritten"));
-  EXPECT_TRUE(has(told("m.mdl --table x --html x"), "another file goes there as well"));
-  EXPECT_TRUE(has(told("m.mdl --table none/x"), "the file can't be written"));
+  EXPECT_TRUE(has(told("m.mdl --table x.json --results x.json"), "another file goes there as well"));
+  EXPECT_TRUE(has(told("m.mdl --table x.txt"), "--table x.txt: expected FILE.csv or FILE.json"));
+  EXPECT_TRUE(
+      has(told("m.mdl --table -"), "--table -: expected FILE.csv or FILE.json; it is written to a file"));
+  EXPECT_TRUE(has(told("m.mdl --html -"), "--html -: expected FILE.html"));
+  EXPECT_TRUE(has(told("m.mdl --table x.csv --resume --merge"), "expected one of them"));
+  EXPECT_TRUE(has(told("m.mdl --set seed=7,8"), "`seed` can't be set: the table has a column of this name"));
+  EXPECT_TRUE(has(told("m.mdl --set duration_s=7"), "`duration_s` can't be set"));
+  EXPECT_TRUE(has(told("m.mdl --table none/x.csv"), "the file can't be written"));
   EXPECT_TRUE(has(told("m.mdl --resume"), "which batch?"));
   EXPECT_TRUE(has(told("m.mdl --runs 0"), "expected a whole number from 1"));
   EXPECT_TRUE(has(told("m.mdl --set base_velocity=2,fast"), "fast"));

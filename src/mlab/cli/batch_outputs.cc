@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "mlab/cli/version.h"
 #include "mlab/study/page.h"
 #include "mlab/study/table.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
@@ -39,6 +41,18 @@ bool deliver_file(const char* what, const std::string& file, const std::string& 
     return true;
   }
   fmt::print(stderr, "mlab batch: the {} {} could not be written{}\n", what, file, why_not_written());
+  return false;
+}
+
+// The ending of its name says what is written; a dash is no file.
+bool is_well_named(std::string_view option, const std::string& file) {
+  const bool is_page = option == "--html";
+  if (!is_page && option != "--table") return true;
+  const std::string ending = fs::path(file).extension().string();
+  if (is_page ? ending == ".html" || ending == ".htm" : ending == ".csv" || ending == ".json") return true;
+  wrong_batch_usage(fmt::format("{} {}: expected {}{}", option, text::shown(file),
+                                is_page ? "FILE.html" : "FILE.csv or FILE.json",
+                                file == "-" ? "; it is written to a file, not to standard output" : ""));
   return false;
 }
 
@@ -69,6 +83,7 @@ bool outputs_are_usable(const study::Definition& definition, const std::string& 
           fmt::format("{} {}: that is the {} itself, which would be overwritten", option, file, what));
       return false;
     }
+    if (!is_well_named(option, file)) return false;
     if (std::ranges::find(seen, file) != seen.end()) {
       wrong_batch_usage(fmt::format("{} {}: another file goes there as well", option, file));
       return false;
@@ -90,12 +105,12 @@ bool outputs_are_usable(const study::Definition& definition, const std::string& 
 
 study::FailureRecordings deliver_recordings(const study::Batch& batch, study::Summary& summary,
                                             const study::Definition& definition, const study::Plan& plan,
-                                            const Scenes& scenes) {
+                                            const Scenes& scenes, study::Keeper* kept) {
   const std::string folder = recordings_of(definition);
   if (folder.empty()) return {};
-  study::FailureRecordings out =
-      study::record_failures(batch, summary, definition, plan, scenes.all, folder,
-                             {kVersion, overlay_folders(), wall_clock().epoch_seconds}, was_interrupted);
+  study::FailureRecordings out = study::record_failures(
+      batch, summary, definition, plan, scenes.all, folder,
+      {kVersion, overlay_folders(), wall_clock().epoch_seconds}, kept, was_interrupted);
   for (const std::string& problem : out.problems) fmt::print(stderr, "mlab batch: {}\n", problem);
   return out;
 }

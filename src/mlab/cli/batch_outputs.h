@@ -19,9 +19,10 @@ bool outputs_are_usable(const study::Definition& definition, const std::string& 
                         const std::string& results);
 
 /// Records failures where the definition wants them; what went wrong is told.
+/// @param kept  as study::record_failures
 study::FailureRecordings deliver_recordings(const study::Batch& batch, study::Summary& summary,
                                             const study::Definition& definition, const study::Plan& plan,
-                                            const Scenes& scenes);
+                                            const Scenes& scenes, study::Keeper* kept);
 /// Writes table and page, and says where all is.
 /// @return  false: something could not be written, which is told
 bool deliver_all(const study::Batch& batch, const study::Summary& summary,

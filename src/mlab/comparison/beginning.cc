@@ -203,7 +203,6 @@ Beginning compare_beginnings(const Both<const history::History*>& histories) {
   if (a.obstacle_seed() != a.seed() || b.obstacle_seed() != b.seed())
     facts.note("seed of obstacles", std::to_string(a.obstacle_seed()), std::to_string(b.obstacle_seed()));
   compare_settings(a.mission(), b.mission(), facts);
-  facts.note("overlays from", joined(a.overlay_folders()), joined(b.overlay_folders()), false);
   facts.yes_or_no("the world changes", a.environment() != 0, b.environment() != 0);
   compare_manner(a, b, facts);
   compare_texts(histories, out);

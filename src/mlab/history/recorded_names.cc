@@ -2,12 +2,19 @@
 
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace mlab::history {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string whole(const std::string& path) {
+  std::error_code failure;
+  const fs::path out = fs::absolute(path, failure);
+  return (failure ? fs::path(path) : out).lexically_normal().string();
+}
 
 std::string normal(const std::string& path) {
   return fs::path(path).lexically_normal().string();
@@ -24,8 +31,11 @@ std::string_view behind_ups(std::string_view path) {
 }  // namespace
 
 void RecordedNames::shorten(std::string& path) const {
-  if (folder_.empty() || path.empty()) return;
-  const fs::path relative = fs::path(normal(path)).lexically_relative(normal(folder_));
+  if (path.empty() || (folder_.empty() && !fs::path(path).is_absolute())) return;
+  const bool is_mixed = fs::path(path).is_absolute() != fs::path(folder_).is_absolute();
+  const fs::path relative =
+      is_mixed ? fs::path(whole(path)).lexically_relative(whole(folder_.empty() ? "." : folder_))
+               : fs::path(normal(path)).lexically_relative(normal(folder_));
   if (relative.empty()) return;
   path = relative == "." ? "" : relative.string();
 }

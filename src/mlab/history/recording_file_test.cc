@@ -250,6 +250,23 @@ TEST(RecordedSources, AreFoundHoweverTextsCallThem) {
   EXPECT_EQ(text_of("../maps/other.odl"), "");
 }
 
+// A mission that was named by where it lies from here, and overlays of the installation by their whole path.
+TEST(RecordedNames, AreNoWholePathsHoweverTheMissionWasNamed) {
+  const fs::path here = fs::current_path();
+  for (const auto& [folder, expected] : {std::pair("missions/patrol", "../../maps/map.odl"),
+                                         std::pair("", "maps/map.odl"), std::pair(".", "maps/map.odl")}) {
+    wire::HistoryBeginning beginning;
+    beginning.add_overlay_folders((here / "maps").string());
+    const RecordedNames names(folder);
+    EXPECT_EQ(names.in_recording(beginning).overlay_folders(0) + "/map.odl", expected) << folder;
+    wire::HistoryEntry entry;
+    entry.mutable_text()->set_path((here / "maps" / "map.odl").string());
+    EXPECT_EQ(names.in_recording(entry).text().path(), expected) << folder;
+    entry.mutable_text()->set_path("patrol.mdl");
+    EXPECT_FALSE(fs::path(names.in_recording(entry).text().path()).is_absolute());
+  }
+}
+
 TEST_F(RecordingFile, IsNeverWrittenOver) {
   std::ofstream(path("run.mcap")) << "of somebody";
   const auto writer = RecordingWriter::create(path("run.mcap"), 0.0);

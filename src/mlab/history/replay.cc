@@ -115,6 +115,11 @@ bool Replay::step() {
   return !divergence_;
 }
 
+void Replay::settle() {
+  if (divergence_ || !take_inputs()) return;
+  if (!run_->moment().has_looked) run_->look();
+}
+
 bool Replay::finish() {
   const std::optional<EndEntry>& end = history().end();
   if (!end) return false;

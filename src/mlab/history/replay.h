@@ -42,6 +42,9 @@ class Replay {
   /// Up to the next cycle, and what came in before it. False where there is none any more: at the history's
   /// end, or where they part.
   bool step();
+  /// What came in after this cycle comes in, and the executive looks, as before the next one: how the run
+  /// stands then. No time passes.
+  void settle();
   /// What came in after the last cycle is there, too: how the run stood when it ended.
   bool is_at_end() const { return is_at_end_; }
   const std::optional<Divergence>& divergence() const { return divergence_; }

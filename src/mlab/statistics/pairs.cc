@@ -16,16 +16,30 @@ struct Ranked {
   double ties = 0.0;                   // sum of t^3 - t over groups of t equal differences
 };
 
-Ranked rank(std::vector<double> differences) {
-  std::ranges::sort(differences, {}, [](double d) { return std::abs(d); });
+struct Difference {
+  double value = 0.0;
+  double rounding = 0.0;  // so much may be none
+
+  explicit Difference(const Pair& pair)
+      : value(pair.first - pair.second),
+        rounding(kRounding * std::max(std::abs(pair.first), std::abs(pair.second))) {}
+  double size() const { return std::abs(value); }
+};
+
+bool are_equal(const Difference& a, const Difference& b) {
+  return std::abs(a.size() - b.size()) <= std::max(a.rounding, b.rounding);
+}
+
+Ranked rank(std::vector<Difference> differences) {
+  std::ranges::sort(differences, {}, &Difference::size);
   Ranked out;
   for (std::size_t begin = 0; begin < differences.size();) {
     std::size_t end = begin + 1;
-    while (end < differences.size() && std::abs(differences[end]) == std::abs(differences[begin])) ++end;
+    while (end < differences.size() && are_equal(differences[begin], differences[end])) ++end;
     const std::size_t doubled = begin + 1 + end;  // the first rank and the last one
     for (std::size_t i = begin; i < end; ++i) {
       out.doubled.push_back(static_cast<std::uint32_t>(doubled));
-      if (differences[i] > 0.0) out.positive += 0.5 * static_cast<double>(doubled);
+      if (differences[i].value > 0.0) out.positive += 0.5 * static_cast<double>(doubled);
     }
     const auto t = static_cast<double>(end - begin);
     out.ties += t * t * t - t;
@@ -66,10 +80,11 @@ double mcnemar(Discordant pairs) {
   return std::min(1.0, 2.0 * binomial_at_most(smaller, pairs.only_first + pairs.only_second, 0.5));
 }
 
-SignedRanks signed_ranks(std::span<const double> differences) {
-  std::vector<double> different;
-  for (const double d : differences) {
-    if (d != 0.0 && !std::isnan(d)) different.push_back(d);
+SignedRanks signed_ranks(std::span<const Pair> pairs) {
+  std::vector<Difference> different;
+  for (const Pair& pair : pairs) {
+    const Difference one(pair);
+    if (one.size() > one.rounding) different.push_back(one);  // not a number is no more than anything
   }
   SignedRanks out;
   out.pairs = different.size();

@@ -27,9 +27,18 @@ struct SignedRanks {
 /// Up to so many pairs p is counted over all ways to give the ranks their signs.
 inline constexpr std::uint64_t kMostExactPairs = 50;
 
+/// Two numbers that belong together; one that is not a number makes no pair.
+struct Pair {
+  double first = 0.0;
+  double second = 0.0;
+};
+/// Differences are equal where they differ by no more than this share of the numbers that they are between:
+/// 175.3 - 172.5 and 100.0 - 97.2, which are not the same bits.
+inline constexpr double kRounding = 1e-9;
+
 /// F. Wilcoxon's test ("Individual comparisons by ranking methods", Biometrics Bulletin 1, 1945). Equal
 /// differences share the middle of their ranks, and p is that of the ranks as they are. For many pairs by the
 /// normal distribution, corrected for ties and for continuity.
-SignedRanks signed_ranks(std::span<const double> differences);
+SignedRanks signed_ranks(std::span<const Pair> pairs);
 
 }  // namespace mlab::statistics

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "mlab/base/random.h"
 #include "mlab/base/testing/processor_time.h"
 #include "mlab/base/testing/source_folder.h"
+#include "mlab/study/failure_recordings.h"
 #include "mlab/study/page.h"
 #include "mlab/study/table.h"
 #include "mlab/text/escape.h"
@@ -129,6 +131,61 @@ TEST_F(KeptFile, MakesAnInterruptedBatchTheSame) {
     EXPECT_EQ(end, Batch::End::kDone);
     EXPECT_GT(sessions, 1);
   }
+}
+
+std::set<std::string> files_in(const std::string& folder) {
+  std::set<std::string> out;
+  for (const auto& entry : fs::directory_iterator(folder)) out.insert(entry.path().filename().string());
+  return out;
+}
+
+TEST_F(KeptFile, MakesRecordingsThatWereInterruptedTheSame) {
+  // A cause for each of three speeds.
+  const Fields fields = {{"runs", "2"},
+                         {"set", "base_velocity=0,3,5"},
+                         {"success", "duration < 1 and contacts < 0"},
+                         {"patience", "10"},
+                         {"for", "40"}};
+  const std::string folder = path_ + ".failures";
+  Made made(fields);
+  ASSERT_EQ(made.run(2), Batch::End::kDone);
+  Summary whole = summary_of(*made.batch, made.definition, *made.plan);
+  // Each of these runs has a cause of its own.
+  whole.failures.resize(1);
+  for (const RunKey key : {RunKey{0, 1, 0}, RunKey{0, 2, 0}}) {
+    whole.failures.push_back(whole.failures.front());
+    whole.failures.back().first = key;
+  }
+  const auto record = [&](Summary& summary, Keeper& kept, int asks) {
+    return record_failures(*made.batch, summary, made.definition, *made.plan, made.scenes, folder, {}, &kept,
+                           [&] { return --asks < 0; });
+  };
+  const std::set<std::string> names = {"combination-1-seed-1.mcap", "combination-2-seed-1.mcap",
+                                       "combination-3-seed-1.mcap"};
+  int interrupted = 0;
+  for (const int asks : {0, 600, 1'000'000}) {
+    auto opened = ResultsFile::open(path_, identity_, true);
+    ASSERT_TRUE(opened) << opened.error();
+    opened->file->append(made.batch->cell(0, 0).rows[0]);
+    Summary summary = whole;
+    const FailureRecordings out = record(summary, *opened->file, asks);
+    EXPECT_EQ(out.made + out.missing, 3U);
+    EXPECT_TRUE(out.problems.empty()) << out.problems[0];
+    std::set<std::string> there = files_in(folder);
+    there.erase("combination-3-seed-1.mcap.part");
+    EXPECT_EQ(there.size(), out.made) << "a half one was left";
+    if (out.missing > 0) {
+      ++interrupted;
+      // Killed while it was written, and just before it got its name.
+      std::ofstream(folder + "/combination-3-seed-1.mcap.part") << "a half";
+      opened->file->append_recording({0, 2, 0}, folder + "/combination-3-seed-1.mcap");
+      continue;
+    }
+    EXPECT_EQ(files_in(folder), names);
+    EXPECT_EQ(summary.failures[2].recording, folder + "/combination-3-seed-1.mcap");
+  }
+  EXPECT_EQ(interrupted, 2);
+  fs::remove_all(folder);
 }
 
 TEST_F(KeptFile, IsLeftAloneWhereItIsOfAnotherBatchOrNone) {

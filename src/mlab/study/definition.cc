@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/study/row.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::study {
@@ -177,6 +178,13 @@ std::optional<text::Diagnostic> settle(Definition& d) {
   };
   if (d.mission.empty())
     return wrong("no-mission", {}, "no mission is named: expected `mission = \"FILE.mdl\"`");
+  for (const Dimension& one : d.dimensions) {
+    if (is_table_column(one.name.text))
+      return wrong(
+          "set-column", one.name.place,
+          fmt::format("`{}` can't be set: the table has a column of this name{}", text::shown(one.name.text),
+                      one.name.text == "seed" ? "; the seeds of runs are set by `seed` (--seed)" : ""));
+  }
   const Dimension* first = nullptr;
   for (std::size_t i = 0; i < d.dimensions.size(); ++i) {
     const Dimension& one = d.dimensions[i];

@@ -58,7 +58,7 @@ std::optional<text::Diagnostic> take(Definition& definition, std::string_view fi
 
 /// To be called once all is there: fills in what follows from the rest.
 /// @errors  what only can be said now: lists of different lengths that are to be paired, `decided` without a
-///          requirement, two settings of one name
+///          requirement, two settings of one name, or one of a name that the table has for a column
 std::optional<text::Diagnostic> settle(Definition& definition);
 
 }  // namespace mlab::study

@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kFormat = 1;
 constexpr const char* kMark = "mlab_batch";
 constexpr const char* kEnd = "is_over";
+constexpr const char* kRecording = "recording";
 
 std::string line_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -36,24 +37,39 @@ Json row_json(const Row& row) {
   return out;
 }
 
-// Nothing where the line is none of ours.
-std::optional<Row> row_in(const Json& json) {
-  const auto is_whole = [](const Json& value, std::uint64_t most) {
-    return value.is_number_unsigned() && value.get<std::uint64_t>() <= most;
-  };
-  if (!json.is_object() || !json.contains("key") || !json.contains("numbers") || !json.contains("seed") ||
-      !json.contains("success") || !json.contains("outcome"))
-    return std::nullopt;
-  const Json& key = json["key"];
-  const Json& numbers = json["numbers"];
-  if (!key.is_array() || key.size() != 3 || !numbers.is_array() || numbers.size() != kNumbers.size() ||
-      !is_whole(json["seed"], UINT64_MAX) || !json["success"].is_boolean() || !json["outcome"].is_string())
-    return std::nullopt;
+bool is_whole(const Json& value, std::uint64_t most) {
+  return value.is_number_unsigned() && value.get<std::uint64_t>() <= most;
+}
+
+std::optional<RunKey> key_in(const Json& key) {
+  if (!key.is_array() || key.size() != 3) return std::nullopt;
   for (const Json& part : key) {
     if (!is_whole(part, UINT32_MAX)) return std::nullopt;
   }
+  return RunKey{key[0].get<std::uint32_t>(), key[1].get<std::uint32_t>(), key[2].get<std::uint32_t>()};
+}
+
+std::optional<std::pair<RunKey, std::string>> recording_in(const Json& json) {
+  if (!json.is_object() || !json.contains(kRecording) || !json[kRecording].is_string() ||
+      !json.contains("key"))
+    return std::nullopt;
+  const auto key = key_in(json["key"]);
+  if (!key) return std::nullopt;
+  return std::pair(*key, json[kRecording].get<std::string>());
+}
+
+// Nothing where the line is none of ours.
+std::optional<Row> row_in(const Json& json) {
+  if (!json.is_object() || !json.contains("key") || !json.contains("numbers") || !json.contains("seed") ||
+      !json.contains("success") || !json.contains("outcome"))
+    return std::nullopt;
+  const auto key = key_in(json["key"]);
+  const Json& numbers = json["numbers"];
+  if (!key || !numbers.is_array() || numbers.size() != kNumbers.size() ||
+      !is_whole(json["seed"], UINT64_MAX) || !json["success"].is_boolean() || !json["outcome"].is_string())
+    return std::nullopt;
   Row out;
-  out.key = {key[0].get<std::uint32_t>(), key[1].get<std::uint32_t>(), key[2].get<std::uint32_t>()};
+  out.key = *key;
   out.seed = json["seed"].get<std::uint64_t>();
   out.success = json["success"].get<bool>();
   out.outcome = json["outcome"].get<std::string>();
@@ -77,6 +93,10 @@ std::string header_line(const Identity& identity) {
 
 std::string row_line(const Row& row) {
   return line_of(row_json(row));
+}
+
+std::string recording_line(const RunKey& key, const std::string& file) {
+  return line_of({{"key", {key.version, key.combination, key.run}}, {kRecording, file}});
 }
 
 std::string end_line() {
@@ -132,7 +152,7 @@ std::expected<Contents, std::string> understand(std::string_view all) {
         out.is_over = true;
       } else if (auto row = row_in(json)) {
         out.rows.push_back(std::move(*row));
-      } else {
+      } else if (!recording_in(json)) {
         return std::unexpected(fmt::format("has something else than a run in line {}", line));
       }
     }
@@ -149,6 +169,16 @@ std::vector<Row> rows_in(std::string_view lines, std::size_t& size) {
     if (auto row = row_in(Json::parse(lines.substr(size, end - size), nullptr, false)))
       out.push_back(std::move(*row));
     size = end + 1;
+  }
+  return out;
+}
+
+std::map<RunKey, std::string> recordings_in(std::string_view lines) {
+  std::map<RunKey, std::string> out;
+  for (std::size_t end = lines.find('\n'); end != std::string_view::npos; end = lines.find('\n')) {
+    if (auto one = recording_in(Json::parse(lines.substr(0, end), nullptr, false)))
+      out.insert_or_assign(one->first, std::move(one->second));
+    lines.remove_prefix(end + 1);
   }
   return out;
 }

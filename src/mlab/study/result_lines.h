@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <expected>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ using Identity = std::vector<std::pair<std::string, std::string>>;
 /// The first line of each file.
 std::string header_line(const Identity& identity);
 std::string row_line(const Row& row);
+/// A failure is recorded in a file, or was about to be.
+std::string recording_line(const RunKey& key, const std::string& file);
 /// Nothing is left to do: table and page were written.
 std::string end_line();
 
@@ -44,5 +47,7 @@ std::expected<Contents, std::string> understand(std::string_view all);
 /// The runs in lines that somebody may be writing now. What is no run is passed over.
 /// @param size  of whole lines
 std::vector<Row> rows_in(std::string_view lines, std::size_t& size);
+/// The files of recordings that lines name, likewise; of each run the last one.
+std::map<RunKey, std::string> recordings_in(std::string_view lines);
 
 }  // namespace mlab::study

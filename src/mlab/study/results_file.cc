@@ -79,6 +79,22 @@ void remove_rank_files(const std::string& path) {
   }
 }
 
+std::map<RunKey, std::string> kept_recordings(const std::string& path) {
+  std::map<RunKey, std::string> out;
+  std::vector<std::string> files = rank_files(path);
+  files.push_back(path);
+  for (const std::string& name : files) {
+    const auto file = LockedFile::open_existing(name);
+    for (auto& [key, recording] : recordings_in(file ? file->read().value_or("") : ""))
+      out.insert_or_assign(key, std::move(recording));
+  }
+  return out;
+}
+
+std::map<RunKey, std::string> ResultsFile::recordings() const {
+  return kept_recordings(path_);
+}
+
 void ResultsFile::finish() {
   const std::string all = file_.read().value_or("");
   const std::size_t end = all.find('\n');

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <expected>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,11 @@ class Keeper {
 
   /// @return  false: it can't be written
   virtual bool append(const Row& row) = 0;
+  /// A failure is about to be in this file, whole.
+  /// @return  likewise
+  virtual bool append_recording(const RunKey& key, const std::string& file) = 0;
+  /// What was appended of recordings, by this process or by others, now or before the batch was interrupted.
+  virtual std::map<RunKey, std::string> recordings() const = 0;
   /// What other processes have done since somebody asked last.
   virtual std::vector<Row> news() { return {}; }
   /// Another process says that nothing is left to do.
@@ -48,6 +54,10 @@ class ResultsFile final : public Keeper {
   static bool keeps_runs(const std::string& path);
 
   bool append(const Row& row) override { return file_.append(row_line(row)); }
+  bool append_recording(const RunKey& key, const std::string& file) override {
+    return file_.append(recording_line(key, file));
+  }
+  std::map<RunKey, std::string> recordings() const override;
   /// Table and page were written: the file and all beside it go. What several processes began leaves a mark,
   /// for those of them that come late.
   void finish();
@@ -68,5 +78,7 @@ struct ResultsFile::Opened {
 std::string rank_file(const std::string& path, std::uint32_t number);
 std::vector<std::string> rank_files(const std::string& path);
 void remove_rank_files(const std::string& path);
+/// What stands of recordings in the file of a batch, and in those beside it.
+std::map<RunKey, std::string> kept_recordings(const std::string& path);
 
 }  // namespace mlab::study

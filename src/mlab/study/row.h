@@ -64,6 +64,8 @@ static_assert(are_in_order());
 
 /// As tables head it: `duration_s`.
 std::string column(const NumberInfo& info);
+/// Whether the table has a column of this name, whatever is set.
+bool is_table_column(std::string_view name);
 
 /// Which run of a batch.
 struct RunKey {

@@ -163,6 +163,12 @@ bool SharedResults::append(const Row& row) {
   return true;
 }
 
+bool SharedResults::append_recording(const RunKey& key, const std::string& file) {
+  if (!file_.append(recording_line(key, file))) return false;
+  file_.sync();
+  return true;
+}
+
 // A file is opened anew each time: only so does a network's file system say what others have written.
 std::vector<Row> SharedResults::news() {
   std::vector<Row> out;

@@ -47,6 +47,8 @@ class SharedResults final : public Keeper {
   std::optional<std::string> begin(const Identity& identity);
 
   bool append(const Row& row) override;
+  bool append_recording(const RunKey& key, const std::string& file) override;
+  std::map<RunKey, std::string> recordings() const override { return kept_recordings(path_); }
   std::vector<Row> news() override;
   bool is_over() const override;
   /// Nothing is left to do for anybody: table and page were written.

@@ -36,14 +36,17 @@ Comparison compare(const Cell& one, const Cell& other, const std::vector<NumberI
   out.p = statistics::mcnemar(out.successes);
   for (const NumberInfo& info : numbers) {
     std::vector<double> differences;
-    for (std::size_t i = 0; i < out.pairs; ++i)
-      differences.push_back(one.rows[i][info.number] - other.rows[i][info.number]);
+    std::vector<statistics::Pair> pairs;
+    for (std::size_t i = 0; i < out.pairs; ++i) {
+      pairs.push_back({one.rows[i][info.number], other.rows[i][info.number]});
+      differences.push_back(pairs.back().first - pairs.back().second);
+    }
     const statistics::Sample sample = statistics::sample_of(differences);
     Comparison::Difference& difference = out.differences.emplace_back();
     difference.pairs = sample.size();
     difference.mean = sample.mean;
     if (!sample.empty()) difference.median = statistics::quantile(sample, 0.5);
-    difference.ranks = statistics::signed_ranks(sample.sorted);
+    difference.ranks = statistics::signed_ranks(pairs);
   }
   return out;
 }

@@ -141,8 +141,6 @@ cell::Permission permission_of(const BatchOptions& options, const study::Definit
 // The runs themselves, and what is told meanwhile.
 study::Batch::End carry_out(study::Batch& batch, const BatchOptions& options) {
   BatchProgress progress(options.quiet);
-  // A second Ctrl-C ends the process at once, whatever the threads do.
-  note_interrupts();
   const study::Batch::End end =
       batch.run(options.threads, was_interrupted, [&](const study::Progress& now) { progress.show(now); });
   progress.clear();
@@ -205,13 +203,28 @@ int tell_missing(const study::Progress& progress) {
   return kFailed;
 }
 
+// All runs are done, and not all causes are recorded.
+int tell_unrecorded(const study::FailureRecordings& recordings, std::uint64_t runs,
+                    const std::string& results) {
+  const std::uint64_t causes = recordings.made + recordings.missing + recordings.problems.size();
+  fmt::print(stderr, "mlab batch: interrupted after all {} with {} of {} of failure recorded; {}\n",
+             base::counted(runs, "run"), recordings.made, base::counted(causes, "cause"),
+             results.empty() ? "nothing is kept without --table, --html or --results"
+                             : fmt::format("table and page are not written; the runs are kept in {}, and "
+                                           "--resume goes on",
+                                           results));
+  return kFailed;
+}
+
 int conclude(const BatchOptions& options, const study::Definition& definition, const study::Plan& plan,
              const study::Batch& batch, const Scenes& scenes, Part& part, double seconds) {
   const std::string& title = scenes.all.front()->mission_name();
   study::Summary summary = study::summary_of(batch, definition, plan);
-  const study::FailureRecordings recordings = deliver_recordings(batch, summary, definition, plan, scenes);
+  const study::FailureRecordings recordings =
+      deliver_recordings(batch, summary, definition, plan, scenes, part.keeper());
   if (!options.quiet) print_summary(summary, definition, plan, title, seconds);
   print_verdicts(summary);
+  if (recordings.missing > 0) return tell_unrecorded(recordings, summary.runs, part.results);
   if (!deliver_all(batch, summary, recordings, definition, plan, title)) return kFailed;
   // It was for who would have had to go on.
   if (part.own && definition.results.empty()) part.own->finish();
@@ -248,6 +261,8 @@ int run_batch(const BatchOptions& options, const study::Definition& definition, 
   batch.take(std::move(part.before));
   const double began = steady_seconds();
   using End = study::Batch::End;
+  // A second Ctrl-C ends the process at once, whatever the threads do.
+  note_interrupts();
   if (options.merges) {
     if (!batch.is_complete()) return tell_missing(batch.progress());
   } else if (const End end = carry_out(batch, options); end == End::kOver) {
@@ -301,6 +316,9 @@ int batch(const BatchOptions& given) {
   std::optional<study::Definition> definition = definition_of(options);
   if (!definition || !read_start_time(*definition)) return kBadInput;
   part.results = results_of(*definition);
+  if (options.resumes && options.merges)
+    return wrong_batch_usage(
+        "--resume goes on with what is missing, --merge carries nothing out: expected one of them");
   const bool resumes = options.resumes || options.merges;
   if (part.results.empty() && resumes)
     return wrong_batch_usage(

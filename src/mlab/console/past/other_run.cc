@@ -119,6 +119,7 @@ bool OtherRun::advance(double seconds) {
     }
     step_behind();
     look_for_parting();
+    note_most_apart();
     sample();
     if (wall_time() >= end) break;
   }
@@ -197,6 +198,7 @@ bool OtherRun::is_written(std::size_t side) const {
 void OtherRun::end(std::size_t side) {
   Side& one = sides_[side];
   one.is_over = true;
+  one.replay->settle();
   const run::MissionRun& run = one.replay->run();
   const auto& divergence = one.replay->divergence();
   if (divergence && !divergence->stands && side == kOther) {
@@ -226,10 +228,13 @@ void OtherRun::fail(const std::string& problem) {
 void OtherRun::end_where_it_stopped(std::size_t side) {
   history::Replay& replay = *sides_[side].replay;
   if (sides_[side].is_over) return;
-  if (is_written(side) && replay.run().cycle() >= replay.history().last_cycle()) end(side);
-  if (is_written(side) || side == kOwn) return;
-  if (!replay.run().moment().has_looked) replay.run().look();
-  if (replay.run().is_over()) end(side);
+  if (is_written(side) && replay.run().cycle() >= replay.history().last_cycle()) {
+    replay.step();  // what is written of its end
+    end(side);
+    return;
+  }
+  replay.settle();
+  if (!is_written(side) && replay.run().is_over()) end(side);
 }
 
 void OtherRun::finish() {
@@ -306,9 +311,23 @@ void OtherRun::sample(Track& track, std::uint32_t id) {
   double apart = std::numeric_limits<double>::quiet_NaN();
   if (place && poses[kOwn]) apart = geom::distance(place->position, poses[kOwn]->position);
   out.add_apart(static_cast<float>(apart));
-  if (apart > out.most_apart()) {
-    out.set_most_apart(apart);
-    out.set_most_apart_at(times_.back());
+}
+
+// Of every cycle that both have, as `mlab compare` does, whatever is sampled.
+void OtherRun::note_most_apart() {
+  if (!has_departed_ || sides_[kOwn].is_over || sides_[kOther].is_over) return;
+  const run::MissionRun& own = sides_[kOwn].replay->run();
+  const run::MissionRun& other = sides_[kOther].replay->run();
+  if (std::abs(own.time() - other.time()) > 1e-9) return;
+  for (const fleet::FleetRobot& robot : own.fleet().robots()) {
+    const fleet::FleetRobot* const there = in_world(other, robot.id.value);
+    if (there == nullptr || in_world(own, robot.id.value) == nullptr) continue;
+    OtherFuture::Robot& told = tracks_[robot.id.value].told;
+    const double apart =
+        geom::distance(own.fleet().pose(robot).position, other.fleet().pose(*there).position);
+    if (!(apart > told.most_apart())) continue;
+    told.set_most_apart(apart);
+    told.set_most_apart_at(own.time());
   }
 }
 
@@ -370,7 +389,7 @@ std::vector<wire::HistoryEntry> OtherRun::written() const {
     has_stopped = !replay->step();
     if (!has_stopped) writer.note_cycle();
   }
-  if (!has_stopped && !run.moment().has_looked) run.look();
+  if (!has_stopped) replay->settle();
   const std::string& outcome = sides_[kOther].outcome;
   writer.end(outcome == "goes on" ? "interrupted" : outcome);
   return out;

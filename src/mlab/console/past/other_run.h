@@ -91,6 +91,7 @@ class OtherRun {
   void look_for_parting();
   void sample();
   void sample(Track& track, std::uint32_t robot);
+  void note_most_apart();
   void note_before(std::size_t side);
   bool is_written(std::size_t side) const;
   void end_where_it_stopped(std::size_t side);

@@ -8,6 +8,7 @@
 
 #include "mlab/console/testing/browser.h"
 #include "mlab/history/history.h"
+#include "mlab/history/replay.h"
 #include "mlab/history/testing/written_run.h"
 
 namespace mlab::console {
@@ -299,6 +300,40 @@ TEST(OtherFutures, EndAsTheRecordingDidWhereNothingIsChanged) {
   EXPECT_FALSE(anna.other_future().has_parting());
   EXPECT_EQ(anna.other_future().own().outcome(), "done");
   EXPECT_EQ(anna.other_future().other().outcome(), "done");
+  // What the last cycle says is said in both.
+  for (const auto* told : {&anna.other_future().told_own(), &anna.other_future().told_other()})
+    EXPECT_TRUE(told->empty()) << told->at(0).text();
+}
+
+// So many cycles that not each of them is sampled.
+TEST(OtherFutures, AreApartByWhatAllCyclesSay) {
+  const auto own = recording(3, 1500);
+  const auto other = recording(3, 1500, "UNIT scouts STOP");
+  double most = 0.0;
+  double at = 0.0;
+  {
+    text::Diagnostics none;
+    const auto one = history::Replay::make(own, {}, none);
+    const auto two = history::Replay::make(other, {}, none);
+    ASSERT_TRUE(one && two);
+    while (one->step() && two->step()) {
+      const geom::Point here = one->run().fleet().pose(*one->run().fleet().find({1})).position;
+      const geom::Point there = two->run().fleet().pose(*two->run().fleet().find({1})).position;
+      if (!(geom::distance(here, there) > most)) continue;
+      most = geom::distance(here, there);
+      at = one->run().time();
+    }
+  }
+  TestSession session("", 50.0, [&](SessionSettings& settings) {
+    settings.recording = {"a", own};
+    settings.against = {"b", other};
+  });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(anna.wait([&] { return anna.other_future().robots_size() == 4; }));
+  ASSERT_LT(anna.other_future().times_size(), 1000);
+  EXPECT_EQ(anna.other_future().robots(0).robot(), 1U);
+  EXPECT_EQ(anna.other_future().robots(0).most_apart(), most);
+  EXPECT_EQ(anna.other_future().robots(0).most_apart_at(), at);
 }
 
 TEST(OtherFutures, SayThatTwoRecordingsBeganOtherwise) {
