@@ -20,7 +20,11 @@ const keys = (query: string, folded: string[] = []) => rosterRows(roster, query,
 
 it("tells how old what is shown of a robot is whose machine is silent", () => {
   const status = create(StatusSchema, { silentMachines: [{ name: "north", silent: 22.4, robots: [1, 3] }] });
-  expect(silenceOf(status, 3)).toMatchObject({ word: "Silent 22 s", tone: "", title: expect.stringContaining("north") });
+  expect(silenceOf(status, 3)).toMatchObject({
+    word: "Silent 22 s",
+    tone: "",
+    title: expect.stringContaining("north"),
+  });
   expect(silenceOf(status, 2)).toBeNull();
   expect(silenceOf(undefined, 1)).toBeNull();
 });
