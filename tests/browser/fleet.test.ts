@@ -26,7 +26,10 @@ test("a machine that is silent is named, and so is one that has not confirmed th
   await page.getByText(/Nothing has been heard of machine north for \d+ s: its robots stand/).waitFor();
   await selection.getByText(/^north, silent for \d+ s/).waitFor();
   const robots = await console.panel("Robots");
-  await robots.getByText(/^Silent \d+ s$/).first().waitFor();
+  await robots
+    .getByText(/^Silent \d+ s$/)
+    .first()
+    .waitFor();
   await console.stop.click();
   await page.getByText("EMERGENCY STOP: not confirmed by north.").waitFor();
 

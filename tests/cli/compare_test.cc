@@ -96,6 +96,15 @@ TEST_F(CompareCommand, TakesFilesThatWereCutOffAnywhere) {
   EXPECT_GT(compared, 0U);
 }
 
+TEST_F(CompareCommand, AVerdictOnADamagedFileComesWithTheDamage) {
+  record("a.mcap", "");
+  std::string whole = text_of(folder_ / "a.mcap");
+  whole[whole.size() / 2] = static_cast<char>(~whole[whole.size() / 2]);
+  write("damaged.mcap", whole);
+  const Outcome is = mlab("compare damaged.mcap a.mcap --quiet");
+  EXPECT_TRUE(has(is.err, "mlab compare: warning: damaged.mcap: ")) << is.out << is.err;
+}
+
 TEST_F(CompareCommand, RecordingsForViewersAreReplayedAndComparedLikeAllOthers) {
   record("plain.mcap", "");
   record("viewers.mcap", "--record-for viewers --viewer-rate 5");

@@ -23,6 +23,7 @@
 #include "mlab/comparison/report.h"
 #include "mlab/comparison/words.h"
 #include "mlab/history/recording_file.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
@@ -41,7 +42,12 @@ std::optional<comparison::Recorded> open_side(const std::string& path, const Com
   comparison::Recorded out;
   out.name = path;
   out.history = std::move(recording->history);
-  if (!recording->cut.empty()) out.remarks.push_back(recording->cut);
+  if (!recording->cut.empty()) {
+    out.remarks.push_back(recording->cut);
+    // The report has it; a verdict alone would be taken for one on whole runs.
+    if (options.quiet)
+      fmt::print(stderr, "mlab compare: warning: {}: {}\n", text::shown(path, 200), recording->cut);
+  }
   for (std::string& remark : remarks_on(out.history->beginning())) out.remarks.push_back(std::move(remark));
   text::Diagnostics problems;
   out.replay = history::Replay::make(
