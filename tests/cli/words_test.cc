@@ -30,7 +30,7 @@ TEST_F(Command, WhatIsMissingTooMuchOrOfTheWrongKindIsToldWithWhatIsExpected) {
     EXPECT_EQ(o.status, 2) << arguments;
     EXPECT_EQ(o.err, words + "\nRun with --help for all of them.\n") << arguments;
   };
-  expect_told("", "mlab: a command is missing; the first to try: mlab console MISSION.mdl");
+  expect_told("", "mlab: a command is missing; the first to try: mlab run MISSION.mdl");
   expect_told("compare a.mcap", "mlab compare: B.mcap is missing: another one");
   expect_told("replay a.mcap b.mcap c.mcap", "mlab replay: there is no place for `b.mcap`, `c.mcap`");
   expect_told("trace a.mcap --robot three", "mlab trace: --robot: expected a number (N), found `three`");

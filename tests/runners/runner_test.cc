@@ -370,17 +370,25 @@ TEST(RobotsInOwnProcesses, GoOnExactlyWhenTheirProcessesAreKilled) {
   EXPECT_TRUE(done == cycles(all, cycles_done)) << kills << " kills in " << cycles_done << " cycles";
 }
 
-TEST(RobotsAtAgents, AreSharedOutAndFailWithTheirAgent) {
+// Two robots at an agent each, of which the second one has ended.
+struct OneOfTwoLost {
+  OneOfTwoLost() {
+    EXPECT_EQ(first.start(), std::nullopt);
+    EXPECT_EQ(second.start(), std::nullopt);
+    cycles({&first, &second}, 3);
+    agents.link(1).end();
+    cycles({&first, &second}, 1);
+  }
   Agents agents;
   const RobotProgram program = standard_robot(false);
   ProgramRunner& runner = agents.runner_of(program);
-  Traveller first(runner, 1, program);
-  Traveller second(runner, 2, program);
-  ASSERT_EQ(first.start(), std::nullopt);
-  ASSERT_EQ(second.start(), std::nullopt);
-  cycles({&first, &second}, 3);
-  agents.link(1).end();
-  cycles({&first, &second}, 1);
+  Traveller first{runner, 1, program};
+  Traveller second{runner, 2, program};
+};
+
+TEST(RobotsAtAgents, AreSharedOutAndFailWithTheirAgent) {
+  OneOfTwoLost now;
+  auto& [agents, program, runner, first, second] = now;
   EXPECT_EQ(first.failure(), "");
   EXPECT_TRUE(first.action().drives);
   EXPECT_EQ(second.failure(), "can't be reached: the agent on `birch` ended");
@@ -395,16 +403,8 @@ TEST(RobotsAtAgents, AreSharedOutAndFailWithTheirAgent) {
 }
 
 TEST(RobotsAtAgents, GetWhatWasSetWhileTheirAgentWasLostAtTheirNextStart) {
-  Agents agents;
-  const RobotProgram program = standard_robot(false);
-  ProgramRunner& runner = agents.runner_of(program);
-  Traveller first(runner, 1, program);
-  Traveller second(runner, 2, program);
-  ASSERT_EQ(first.start(), std::nullopt);
-  ASSERT_EQ(second.start(), std::nullopt);
-  cycles({&first, &second}, 3);
-  agents.link(1).end();
-  cycles({&first, &second}, 1);
+  OneOfTwoLost now;
+  auto& [agents, program, runner, first, second] = now;
   ASSERT_NE(second.failure(), "");
   EXPECT_EQ(runner.set(second.member(), "base_velocity", "0.1"), std::nullopt);
   EXPECT_NE(runner.set(second.member(), "base_velocity", "fast"), std::nullopt);

@@ -45,7 +45,7 @@ std::string what_is_missing(const CLI::App& command, const CLI::ParseError& erro
       return fmt::format("{} is missing: {}", one->get_type_name(), one->get_description());
   }
   const bool is_program = command.get_parent() == nullptr;
-  return is_program ? "a command is missing; the first to try: mlab console MISSION.mdl" : error.what();
+  return is_program ? "a command is missing; the first to try: mlab run MISSION.mdl" : error.what();
 }
 
 std::string what_is_too_much(const CLI::App& app) {
