@@ -91,6 +91,17 @@ TEST(Batch, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(whole_table(kSome, 4), one);
 }
 
+TEST(Batch, HasNoColumnThatCouldBeSetToo) {
+  Made made(Fields{{"runs", "1"}, {"set", "base_velocity=3"}});
+  ASSERT_EQ(made.run(1), Batch::End::kDone);
+  const std::string all = made.csv();
+  std::istringstream header(all.substr(0, all.find('\r')));
+  std::size_t columns = 0;
+  for (std::string name; std::getline(header, name, ','); ++columns)
+    EXPECT_EQ(is_table_column(name), name != "base_velocity") << name;
+  EXPECT_GT(columns, 10U);
+}
+
 TEST(Batch, CountsWhatWasDrawnAndSet) {
   Made made(kSome);
   ASSERT_EQ(made.run(2), Batch::End::kDone);
