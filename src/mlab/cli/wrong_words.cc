@@ -51,6 +51,9 @@ std::string what_is_missing(const CLI::App& command, const CLI::ParseError& erro
 std::string what_is_too_much(const CLI::App& app) {
   std::string all;
   for (const std::string& word : app.remaining(true)) {
+    // One of the command's own was put in front of it: others have been told of before.
+    if (word.starts_with("--"))
+      return fmt::format("expected `{}` behind the command, not in front of it", word);
     if (word.starts_with('-') && word.size() > 1) return fmt::format("there is no option `{}`", word);
     all += fmt::format("{}`{}`", all.empty() ? "" : ", ", word);
   }
