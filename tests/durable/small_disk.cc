@@ -7,6 +7,8 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <cerrno>
+
 #include <fmt/core.h>
 
 namespace mlab::durable {
@@ -35,15 +37,23 @@ bool get_small_disk(const std::string& where, std::uint64_t kilobytes) {
          ::mount("none", where.c_str(), "tmpfs", 0, fmt::format("size={}k", kilobytes).c_str()) == 0;
 }
 
+// Who writes to it meanwhile takes of what was free a moment ago: then the next look tells what is left.
 bool CrowdedDisk::leave(std::uint64_t bytes) const {
   const int fd = ::open((where_ + "/of_others").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
-  struct statvfs disk{};
-  bool is_done = fd >= 0 && ::ftruncate(fd, 0) == 0 && ::fstatvfs(fd, &disk) == 0;
-  const std::uint64_t free = is_done ? disk.f_bavail * disk.f_bsize : 0;
-  const std::uint64_t taken = bytes < free ? (free - bytes) / disk.f_bsize * disk.f_bsize : 0;
-  if (is_done && taken > 0) is_done = ::posix_fallocate(fd, 0, static_cast<off_t>(taken)) == 0;
+  int failure = fd >= 0 ? EAGAIN : EBADF;
+  for (int attempt = 0; attempt < 100 && (failure == EAGAIN || failure == ENOSPC || failure == EINTR);
+       ++attempt) {
+    struct statvfs disk{};
+    if (::ftruncate(fd, 0) != 0 || ::fstatvfs(fd, &disk) != 0) {
+      failure = errno;
+      break;
+    }
+    const std::uint64_t free = disk.f_bavail * disk.f_bsize;
+    const std::uint64_t taken = bytes < free ? (free - bytes) / disk.f_bsize * disk.f_bsize : 0;
+    failure = taken > 0 ? ::posix_fallocate(fd, 0, static_cast<off_t>(taken)) : 0;
+  }
   if (fd >= 0) ::close(fd);
-  return is_done;
+  return failure == 0;
 }
 
 }  // namespace mlab::durable
