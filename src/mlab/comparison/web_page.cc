@@ -49,7 +49,7 @@ class PageOfTwo {
     return text::shown(std::filesystem::path(is_.sides[side].name).filename().string(), 80);
   }
   void head(std::string_view text) { out_ += fmt::format("<h2>{}</h2>\n", text::markup(text)); }
-  void paragraph(std::string_view text) { out_ += fmt::format("<p>{}</p>\n", text::markup(text)); }
+  void paragraph(std::string_view text) { out_ += fmt::format("<p>{}</p>\n", page::prose(text)); }
   void add_table(std::string_view caption, TableRows rows, std::size_t left) {
     const std::size_t all = rows.size() - 1;
     if (rows.size() > kMostRowsInTable + 1) rows.resize(kMostRowsInTable + 1);
@@ -113,7 +113,7 @@ class PageOfTwo {
     if (!parting.causes.empty()) {
       out_ += "<ul>\n";
       for (const std::string& cause : parting.causes)
-        out_ += fmt::format("<li>{}</li>\n", text::markup(cause));
+        out_ += fmt::format("<li>{}</li>\n", page::prose(cause));
       out_ += "</ul>\n";
     }
     if (!parting.consequences.empty()) {

@@ -15,6 +15,13 @@ bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
+TEST(Document, ProseShowsWhatStandsBetweenBackticksAsCode) {
+  EXPECT_EQ(prose("`a<b` is not `c`"),
+            R"(<code class="word">a&lt;b</code> is not <code class="word">c</code>)");
+  EXPECT_EQ(prose("one ` alone & nothing"), "one ` alone &amp; nothing");
+  EXPECT_EQ(prose(""), "");
+}
+
 TEST(Charts, ALineIsInterruptedWhereThereIsNoNumber) {
   const Axis axis = number_axis(0.0, 10.0);
   const std::string row =

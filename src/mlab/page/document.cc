@@ -55,6 +55,7 @@ ol.causes li { margin: .75rem 0; padding: .5rem .75rem; border: 1px solid var(--
 code { display: block; margin-top: .4rem; padding: .4rem .6rem; background: var(--box); border-radius: 4px;
   font: .8125rem/1.5 ui-monospace, "DejaVu Sans Mono", monospace; white-space: pre-wrap; overflow-wrap: anywhere;
   user-select: all; }
+.word { display: inline; margin: 0; padding: .1rem .3rem; white-space: normal; user-select: auto; }
 dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: .15rem 1rem; margin: .5rem 0; }
 dt { color: var(--faint); }
 dd { margin: 0; overflow-wrap: anywhere; }
@@ -69,6 +70,18 @@ dd { margin: 0; overflow-wrap: anywhere; }
 }
 
 }  // namespace
+
+std::string prose(std::string_view sentence) {
+  std::string out;
+  for (;;) {
+    const std::size_t begin = sentence.find('`');
+    const std::size_t end = begin == std::string_view::npos ? begin : sentence.find('`', begin + 1);
+    if (end == std::string_view::npos) return out + text::markup(sentence);
+    out += fmt::format("{}<code class=\"word\">{}</code>", text::markup(sentence.substr(0, begin)),
+                       text::markup(sentence.substr(begin + 1, end - begin - 1)));
+    sentence.remove_prefix(end + 1);
+  }
+}
 
 std::string document(std::string_view title, std::string_view body) {
   return fmt::format(

@@ -5,6 +5,9 @@
 
 namespace mlab::page {
 
+/// A sentence as markup: what stands between two backticks in it is shown as code.
+std::string prose(std::string_view sentence);
+
 /// One HTML page that needs nothing else, loads nothing, and has no scripts.
 /// @param title  as it is, no markup
 /// @param body   markup that stands below the title
