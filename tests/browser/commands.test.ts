@@ -133,7 +133,7 @@ test("the same box finds units, places, steps and files", async () => {
   await (await find("democ.odl", /democ\.odl.*open text/)).press("Escape");
 });
 
-test("a unit shares places that were clicked one after the other, and Why? says who has which", async () => {
+test("a unit shares places that were clicked one after the other; the map and Why? say who has which", async () => {
   const { console, page } = await beginWithCommandTool();
   await console.clickMap(420, 300);
   const order = page.getByRole("dialog", { name: "Command" });
@@ -155,7 +155,13 @@ test("a unit shares places that were clicked one after the other, and Why? says 
   await console.panel("Selection");
   await page.getByRole("tab", { name: /Why/ }).click();
   await page
-    .getByText(/of 2 parts \d are done and \d on offer/)
+    .getByText(/\d of 2 parts (is|are) done, \d on offer/)
     .first()
     .waitFor();
+  await page.keyboard.press("x");
+  await console.reaches("Paused");
+  const view = await console.panel("View");
+  const drawn = await console.drawnOnTop();
+  await view.getByText("Shared places and pieces").click();
+  await expect.poll(() => console.drawnOnTop()).toBeLessThan(drawn - 150);
 });

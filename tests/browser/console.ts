@@ -37,6 +37,19 @@ export class Console {
     return this.page.getByRole("button", { name, ...(typeof name === "string" ? { exact: true } : {}) });
   }
 
+  /** How many pixels the map's uppermost canvas shows. */
+  drawnOnTop(): Promise<number> {
+    return this.map.evaluate((host) => {
+      const canvases = [...host.querySelectorAll("canvas")];
+      const canvas = canvases.find((one) => one.style.zIndex === "2")!;
+      if (canvas.style.display === "none") return 0;
+      const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+      let drawn = 0;
+      for (let i = 3; i < data.length; i += 4) if (data[i]! > 0) ++drawn;
+      return drawn;
+    });
+  }
+
   /** Opens a panel where it is not open, by its button. */
   async panel(title: string): Promise<Locator> {
     const panel = this.page.getByRole("region", { name: title, exact: true });

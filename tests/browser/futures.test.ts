@@ -30,18 +30,6 @@ async function goTo(console: Console, text: string, time: number): Promise<void>
   await expect.poll(() => console.time()).toBeCloseTo(time, 1);
 }
 
-/** What the map's uppermost canvas shows. */
-const top = ({ map }: Console) =>
-  map.evaluate((host) => {
-    const canvases = [...host.querySelectorAll("canvas")];
-    const canvas = canvases.find((one) => one.style.zIndex === "2")!;
-    if (canvas.style.display === "none") return 0;
-    const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
-    let drawn = 0;
-    for (let i = 3; i < data.length; i += 4) if (data[i]! > 0) ++drawn;
-    return drawn;
-  });
-
 test("of a run that goes on: another order is computed beside it, shown as ghosts, and the run stays as it is", async () => {
   const { console } = await begin({ mission: "demo_c" });
   await console.main.click();
@@ -49,7 +37,7 @@ test("of a run that goes on: another order is computed beside it, shown as ghost
   await console.setSpeed("×10");
   await expect.poll(() => console.time()).toBeGreaterThan(25);
   await goTo(console, "15", 15);
-  const before = await top(console);
+  const before = await console.drawnOnTop();
   await line(console).getByRole("button", { name: "What if…" }).click();
   const asked = panel(console);
   await asked.getByRole("radio", { name: "Order" }).click();
@@ -63,7 +51,7 @@ test("of a run that goes on: another order is computed beside it, shown as ghost
   await asked.getByText(/They part at/).waitFor();
   await asked.getByRole("img", { name: /Distance between the same robot in both/ }).waitFor();
   await goTo(console, "22", 22);
-  await expect.poll(() => top(console)).toBeGreaterThan(before + 200);
+  await expect.poll(() => console.drawnOnTop()).toBeGreaterThan(before + 200);
   expect(await asked.getByRole("row", { name: /Robot 1/ }).textContent()).toMatch(/ m at 0:/);
 
   // Where they part is a moment to go to.
@@ -71,7 +59,7 @@ test("of a run that goes on: another order is computed beside it, shown as ghost
   await expect.poll(() => console.time()).toBeLessThan(17);
   await asked.getByRole("button", { name: "Remove" }).click();
   await asked.getByRole("radio", { name: "Order" }).waitFor();
-  await expect.poll(() => top(console)).toBeLessThan(before + 200);
+  await expect.poll(() => console.drawnOnTop()).toBeLessThan(before + 200);
   await line(console).getByRole("button", { name: "Now", exact: true }).click();
   await expect.poll(() => console.time()).toBeGreaterThan(24);
 });

@@ -10,6 +10,7 @@ export type LayerName =
   | "objects"
   | "labels"
   | "trails"
+  | "shares"
   | "robots"
   | "stations"
   | "vectors"
@@ -47,6 +48,7 @@ export const kLayers: readonly (readonly [LayerName, string])[] = [
   ["objects", "Objects"],
   ["labels", "Names"],
   ["trails", "Trails"],
+  ["shares", "Shared places and pieces"],
   ["robots", "Robots"],
   ["stations", "Formation stations"],
   ["vectors", "Movement vectors"],
@@ -66,6 +68,7 @@ export const kDefaultSettings: MapSettings = {
     objects: true,
     labels: true,
     trails: true,
+    shares: true,
     robots: true,
     stations: false,
     vectors: false,

@@ -120,8 +120,8 @@ void add_errands(const fleet::Fleet& fleet, const fleet::FleetRobot& robot, std:
                         contract->place.x, contract->place.y, contract->time);
   }
   out.push_back(fmt::format(
-      "  of {} parts {} are done and {} on offer; each goes to the robot whose way it makes least longer",
-      errands.count(), errands.done(), offered));
+      "  {} of {} parts {} done, {} on offer; each goes to the robot whose way it makes least longer",
+      errands.done(), errands.count(), errands.done() == 1 ? "is" : "are", offered));
   for (const auto& [id, text] : taken) out.push_back(fmt::format("  robot {} has {}", id, text));
 }
 

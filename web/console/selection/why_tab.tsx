@@ -42,6 +42,11 @@ export function WhyTab({ id }: { id: number }) {
 const kLightColors = ["#c2255c", "#1971c2", "#2b8a3e", "#9c36b5", "#a85a00", "#0c8599", "#5f3dc4", "#6b7000"];
 const kDarkColors = ["#ff8fb1", "#74c0fc", "#8ce99a", "#e599f7", "#ffc078", "#66d9e8", "#b197fc", "#d8e06a"];
 
+/** To a thousandth of full strength: what is less is nothing. */
+function strength(share: number): string {
+  return quantity(Math.round(share * 1000) / 1000 + 0, 3);
+}
+
 function Sum({ sum, isDark }: { sum: VectorSum; isDark: boolean }) {
   const colors = isDark ? kDarkColors : kLightColors;
   const colorOf = (i: number) => colors[i % colors.length] as string;
@@ -55,8 +60,8 @@ function Sum({ sum, isDark }: { sum: VectorSum; isDark: boolean }) {
           Moves <strong>{direction(sum.x, sum.y)}</strong>
           <br />
           <span className="number muted small">
-            strength {quantity(sum.size, 3)}
-            <br />({quantity(sum.x, 3)} ahead, {quantity(sum.y, 3)} left)
+            strength {strength(sum.size)}
+            <br />({strength(sum.x)} ahead, {strength(sum.y)} left)
           </span>
         </p>
       </div>
@@ -80,14 +85,14 @@ function MemberRow({ member, color, share }: { member: Member; color: string; sh
           <span className="swatch" style={{ background: color }} />
           {member.name}
         </span>
-        <span className="number">{quantity(member.size, 3)}</span>
+        <span className="number">{strength(member.size)}</span>
       </div>
       <Bar share={share} tone={color} />
       <span className="small muted number">
         {effect}
         {member.effect === "none"
           ? ""
-          : ` · ${direction(member.x, member.y)} (${quantity(member.x, 2)}, ${quantity(member.y, 2)})`}
+          : ` · ${direction(member.x, member.y)} (${strength(member.x)}, ${strength(member.y)})`}
       </span>
     </li>
   );

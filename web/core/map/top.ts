@@ -5,6 +5,7 @@ import { drawObject } from "./ground.ts";
 import { drawMoving, hasMoving } from "./moving.ts";
 import { drawMarks, drawRobotLabels, hasMarks } from "./robot_marks.ts";
 import type { RobotStyles } from "./robot_styles.ts";
+import { drawShares, hasShares } from "./shares.ts";
 import { drawStations, drawVectors } from "./team.ts";
 import type { MapPick, Pen } from "./tool.ts";
 import { drawWatched } from "./watched.ts";
@@ -26,6 +27,7 @@ export function drawTop(pen: Pen, model: Model, state: TopState): void {
       if (moved) drawObject(pen, object, moved.x, moved.y);
     }
   }
+  if (layers.shares) drawShares(pen, model, state.styles);
   if (layers.robots) {
     if (layers.stations) drawStations(pen, model, state.styles);
     if (layers.vectors) drawVectors(pen, model);
@@ -40,6 +42,7 @@ export function isTopEmpty(model: Model, { hover }: TopState): boolean {
   const { layers, robotLabels } = model.get("map");
   if (model.movedObjects.size > 0 && layers.objects) return false;
   if (layers.obstacles && hasMoving(model)) return false;
+  if (layers.shares && hasShares(model)) return false;
   if (!layers.robots) return true;
   if (hover?.kind === "robot" || model.get("selection").robots.length > 0 || robotLabels === "all") return false;
   if ((layers.stations && model.stations.count > 0) || (layers.vectors && model.vectors.count > 0)) return false;

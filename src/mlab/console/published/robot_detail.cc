@@ -47,8 +47,10 @@ void encode_command(const run::MissionRun& run, const Estimates& estimates, cons
     out.set_unit(clean(mission::addressee(mission, *group->command)));
     const bool follows = group->order.task == percept::Task::kFollow && !group->order.route.empty();
     const geom::Point goal = follows ? group->order.route.back() : group->order.goal;
-    out.mutable_goal()->set_x(goal.x);
-    out.mutable_goal()->set_y(goal.y);
+    if (!mission::info(group->command->task).is_shared) {  // else its goal is its own part, not this
+      out.mutable_goal()->set_x(goal.x);
+      out.mutable_goal()->set_y(goal.y);
+    }
     if (robot.action.status.sequence == group->order.sequence &&
         std::isfinite(robot.action.status.remaining) && robot.action.status.remaining >= 0.0)
       out.set_remaining(robot.action.status.remaining);

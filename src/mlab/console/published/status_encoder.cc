@@ -9,6 +9,7 @@
 #include "mlab/console/published/overview.h"
 #include "mlab/console/published/vehicle_encoder.h"
 #include "mlab/mission/wording.h"
+#include "mlab/schema/contracts.h"
 #include "mlab/schema/errands.h"
 
 namespace mlab::console {
@@ -31,6 +32,18 @@ void encode_followers(const State& state, const mission::Run& run, Status::Comma
   for (const base::RobotId id : run.needed) out.add_followers(id.value);
 }
 
+void encode_part(const schema::Errands& errands, std::size_t errand, Status::Command::Part& out) {
+  for (const geom::Point p : errands.way(errand)) {
+    out.add_way(static_cast<float>(p.x));
+    out.add_way(static_cast<float>(p.y));
+  }
+  const percept::Contract* contract = errands.contract(errand);
+  if (contract == nullptr) return;
+  const bool is_done = contract->state == percept::ContractState::kDone;
+  if (is_done || schema::is_held(*contract, contract->contractor)) out.set_robot(contract->contractor.value);
+  out.set_is_done(is_done);
+}
+
 // How far a command is that its robots share, as one of them knows it.
 void encode_parts(const run::MissionRun& run, const mission::Run& command, Status::Command& out) {
   if (!mission::info(command.command->task).is_shared) return;
@@ -45,6 +58,8 @@ void encode_parts(const run::MissionRun& run, const mission::Run& command, Statu
     out.set_parts(static_cast<std::uint32_t>(errands.count()));
     out.set_parts_done(static_cast<std::uint32_t>(errands.done()));
     out.set_progress(static_cast<double>(errands.done()) / static_cast<double>(errands.count()));
+    out.set_swath(percepts.order.swath);
+    for (std::size_t i = 0; i < errands.count(); ++i) encode_part(errands, i, *out.add_shared());
     return;
   }
 }

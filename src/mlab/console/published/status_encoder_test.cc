@@ -71,6 +71,18 @@ TEST(Status, TellsHowManyPartsAreDoneOfWhatRobotsShare) {
   EXPECT_NEAR(visit.progress(), 1.0 / 3.0, 1e-9);
   EXPECT_EQ(visit.waits_for(), "what its robots share");
   EXPECT_FALSE(status.steps(0).commands(0).is_shared());
+  ASSERT_EQ(visit.shared_size(), 3);
+  int done = 0;
+  int held = 0;
+  for (const Status::Command::Part& part : visit.shared()) {
+    EXPECT_EQ(part.way_size(), 2);
+    done += part.is_done() ? 1 : 0;
+    held += !part.is_done() && part.robot() != 0 ? 1 : 0;
+    EXPECT_TRUE(part.robot() != 0 || !part.is_done());
+  }
+  EXPECT_EQ(done, 1);
+  EXPECT_EQ(held, 2);
+  EXPECT_EQ(visit.shared(0).way(0), 20.0F);
 }
 
 TEST(Status, TellsWhoFollowsACommandThatRobotsWereOrderedAwayFrom) {

@@ -1,0 +1,95 @@
+// What robots share among themselves, while they do: places to visit, and pieces of an area to search.
+import type { Model } from "../model.ts";
+import { type Status_Command_Part, Status_Outcome } from "../protocol.ts";
+import { fade } from "./palette.ts";
+import type { RobotStyles } from "./robot_styles.ts";
+import { fill, isOnScreen, kSans, stroke, writeText } from "./strokes.ts";
+import type { Pen } from "./tool.ts";
+
+const kMostNamed = 40; // parts: of more, names would be a tangle
+const kNameFont = `600 10.5px ${kSans}`;
+const kRing = 11; // px
+
+interface Shares {
+  readonly parts: readonly Status_Command_Part[];
+  /** [m]; 0: they are places */
+  readonly swath: number;
+}
+
+function sharesOf(model: Model): Shares[] {
+  return (model.get("status")?.steps ?? [])
+    .flatMap(({ commands }) => commands)
+    .filter(({ outcome, shared }) => outcome === Status_Outcome.UNDER_WAY && shared.length > 0)
+    .map(({ shared, swath }) => ({ parts: shared, swath }));
+}
+
+export function hasShares(model: Model): boolean {
+  return sharesOf(model).length > 0;
+}
+
+/** Who has what is in his colour, with his name; what is done is filled; what nobody has is grey. */
+export function drawShares(pen: Pen, model: Model, styles: RobotStyles): void {
+  for (const { parts, swath } of sharesOf(model)) {
+    for (const part of parts) {
+      const color = part.robot === 0 ? pen.palette.softInk : styles.cssColor(part.robot);
+      if (part.way.length > 2) drawPiece(pen, part, color, swath);
+      else drawPlace(pen, part, color);
+    }
+    const held = parts.filter(({ robot, isDone }) => robot !== 0 && !isDone);
+    const named = held.filter(({ robot }) => !isNamed(model, robot, styles));
+    if (named.length <= kMostNamed) for (const part of named) nameHolder(pen, model, part, styles);
+  }
+}
+
+function drawPiece(pen: Pen, { way, isDone }: Status_Command_Part, color: string, swath: number): void {
+  const { context, camera } = pen;
+  context.beginPath();
+  for (let i = 0; i + 1 < way.length; i += 2) {
+    const x = camera.toScreenX(way[i]!);
+    const y = camera.toScreenY(way[i + 1]!);
+    if (i === 0) context.moveTo(x, y);
+    else context.lineTo(x, y);
+  }
+  if (isDone) {
+    context.globalAlpha = 0.2;
+    context.lineCap = "butt"; // as far as it was gone, and no farther
+    context.lineJoin = "round";
+    context.lineWidth = Math.max(4, swath * camera.scale);
+    context.strokeStyle = color;
+    context.stroke();
+    context.globalAlpha = 1;
+  } else stroke(pen, { color, width: 1.5, dash: [2, 4] });
+}
+
+function drawPlace(pen: Pen, { way, isDone }: Status_Command_Part, color: string): void {
+  const { context, camera, palette } = pen;
+  const x = camera.toScreenX(way[0]!);
+  const y = camera.toScreenY(way[1]!);
+  if (!isOnScreen(camera, x, y)) return;
+  context.beginPath();
+  context.arc(x, y, kRing, 0, 2 * Math.PI);
+  if (isDone) fill(pen, fade(palette.ground, 0.8));
+  stroke(pen, { color: palette.halo, width: 4 });
+  stroke(pen, { color, width: 2, dash: isDone ? [] : [3, 3] });
+  if (!isDone) return;
+  context.beginPath();
+  context.moveTo(x - 4.5, y);
+  context.lineTo(x - 1.5, y + 3.5);
+  context.lineTo(x + 5, y - 4);
+  stroke(pen, { color, width: 2 });
+}
+
+/** Where it stands. */
+function isNamed(model: Model, robot: number, styles: RobotStyles): boolean {
+  const { layers, robotLabels } = model.get("map");
+  return layers.robots && (robotLabels === "all" || (robotLabels === "selected" && styles.isSelected(robot)));
+}
+
+/** Where the part begins. */
+function nameHolder(pen: Pen, model: Model, { robot, way }: Status_Command_Part, styles: RobotStyles): void {
+  const x = pen.camera.toScreenX(way[0]!);
+  const y = pen.camera.toScreenY(way[1]!);
+  if (!isOnScreen(pen.camera, x, y)) return;
+  const away = way.length > 2 ? 9 : kRing + 9;
+  writeText(pen, model.get("roster").nameOf(robot), x, y + away, styles.cssColor(robot), kNameFont);
+}
