@@ -5,9 +5,11 @@ import type { Page } from "playwright-core";
 
 const folder = process.env.MLAB_TOUR ?? "";
 
+export const arePicturesWanted = folder !== "";
+
 /** Waits, where pictures are wanted, until there is more to be seen on them [ms]. */
 export async function untilThereIsMore(page: Page, time: number): Promise<void> {
-  if (folder !== "") await page.waitForTimeout(time);
+  if (arePicturesWanted) await page.waitForTimeout(time);
 }
 
 interface PictureOptions {
@@ -19,7 +21,7 @@ interface PictureOptions {
 /** Writes what the page shows as console_NAME.png, where pictures are wanted. Small with pngquant at hand. */
 export async function picture(page: Page, name: string, options: PictureOptions = {}): Promise<void> {
   const { pointerStays = false, of = "console" } = options;
-  if (folder === "") return;
+  if (!arePicturesWanted) return;
   mkdirSync(folder, { recursive: true });
   const path = join(folder, `${of}_${name}.png`);
   if (!pointerStays) await page.mouse.move(640, 799); // where nothing answers to it
