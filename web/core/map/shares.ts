@@ -1,14 +1,14 @@
 // What robots share among themselves, while they do: places to visit, and pieces of an area to search.
+import type { Point } from "../geometry.ts";
 import type { Model } from "../model.ts";
 import { type Status_Command_Part, Status_Outcome } from "../protocol.ts";
-import { fade } from "./palette.ts";
 import type { RobotStyles } from "./robot_styles.ts";
-import { fill, isOnScreen, kSans, stroke, writeText } from "./strokes.ts";
+import { fill, isOnScreen, kSans, stroke, textWidth, writeText } from "./strokes.ts";
 import type { Pen } from "./tool.ts";
 
 const kMostNamed = 40; // parts: of more, names would be a tangle
 const kNameFont = `600 10.5px ${kSans}`;
-const kRing = 11; // px
+const kBadge = 6.5; // px
 
 interface Shares {
   readonly parts: readonly Status_Command_Part[];
@@ -61,22 +61,30 @@ function drawPiece(pen: Pen, { way, isDone }: Status_Command_Part, color: string
   } else stroke(pen, { color, width: 1.5, dash: [2, 4] });
 }
 
+/** The badge stands beside the place: below it is its name, above it its sign. */
+function badgeOf(pen: Pen, way: readonly number[]): Point {
+  return { x: pen.camera.toScreenX(way[0]!) + 13, y: pen.camera.toScreenY(way[1]!) };
+}
+
 function drawPlace(pen: Pen, { way, isDone }: Status_Command_Part, color: string): void {
   const { context, camera, palette } = pen;
-  const x = camera.toScreenX(way[0]!);
-  const y = camera.toScreenY(way[1]!);
+  const { x, y } = badgeOf(pen, way);
   if (!isOnScreen(camera, x, y)) return;
   context.beginPath();
-  context.arc(x, y, kRing, 0, 2 * Math.PI);
-  if (isDone) fill(pen, fade(palette.ground, 0.8));
+  context.arc(camera.toScreenX(way[0]!), y, 2.5, 0, 2 * Math.PI);
+  stroke(pen, { color: palette.halo, width: 2 });
+  fill(pen, color);
+  context.beginPath();
+  context.arc(x, y, kBadge, 0, 2 * Math.PI);
   stroke(pen, { color: palette.halo, width: 4 });
-  stroke(pen, { color, width: 2, dash: isDone ? [] : [3, 3] });
+  fill(pen, isDone ? color : palette.ground);
+  stroke(pen, { color, width: 1.75, dash: isDone ? [] : [2.5, 2.5] });
   if (!isDone) return;
   context.beginPath();
-  context.moveTo(x - 4.5, y);
-  context.lineTo(x - 1.5, y + 3.5);
-  context.lineTo(x + 5, y - 4);
-  stroke(pen, { color, width: 2 });
+  context.moveTo(x - 3, y);
+  context.lineTo(x - 0.75, y + 2.5);
+  context.lineTo(x + 3.25, y - 2.5);
+  stroke(pen, { color: palette.ground, width: 1.75 });
 }
 
 /** Where it stands. */
@@ -85,11 +93,13 @@ function isNamed(model: Model, robot: number, styles: RobotStyles): boolean {
   return layers.robots && (robotLabels === "all" || (robotLabels === "selected" && styles.isSelected(robot)));
 }
 
-/** Where the part begins. */
+/** Where the piece begins, or beside the place. */
 function nameHolder(pen: Pen, model: Model, { robot, way }: Status_Command_Part, styles: RobotStyles): void {
-  const x = pen.camera.toScreenX(way[0]!);
-  const y = pen.camera.toScreenY(way[1]!);
-  if (!isOnScreen(pen.camera, x, y)) return;
-  const away = way.length > 2 ? 9 : kRing + 9;
-  writeText(pen, model.get("roster").nameOf(robot), x, y + away, styles.cssColor(robot), kNameFont);
+  const name = model.get("roster").nameOf(robot);
+  const badge = badgeOf(pen, way);
+  const at =
+    way.length > 2
+      ? { x: pen.camera.toScreenX(way[0]!), y: badge.y + 9 }
+      : { x: badge.x + kBadge + 4 + textWidth(pen, name, kNameFont) / 2, y: badge.y };
+  if (isOnScreen(pen.camera, at.x, at.y)) writeText(pen, name, at.x, at.y, styles.cssColor(robot), kNameFont);
 }
