@@ -17,6 +17,8 @@ namespace {
 
 using mission::State;
 
+constexpr std::size_t kMostParts = 1000;  // in one status: of more the map would be a tangle
+
 // The enumerations count alike.
 Status::Outcome outcome_of(mission::Outcome outcome) {
   static_assert(static_cast<int>(mission::Outcome::kSkipped) == Status::SKIPPED);
@@ -45,7 +47,9 @@ void encode_part(const schema::Errands& errands, std::size_t errand, Status::Com
 }
 
 // How far a command is that its robots share, as one of them knows it.
-void encode_parts(const run::MissionRun& run, const mission::Run& command, Status::Command& out) {
+// @param room  for so many parts there is room, of all commands together; of one with more no part is told
+void encode_parts(const run::MissionRun& run, const mission::Run& command, std::size_t& room,
+                  Status::Command& out) {
   if (!mission::info(command.command->task).is_shared) return;
   out.set_is_shared(true);
   if (command.command->task == mission::Task::kPatrol) return;
@@ -59,13 +63,15 @@ void encode_parts(const run::MissionRun& run, const mission::Run& command, Statu
     out.set_parts_done(static_cast<std::uint32_t>(errands.done()));
     out.set_progress(static_cast<double>(errands.done()) / static_cast<double>(errands.count()));
     out.set_swath(percepts.order.swath);
+    if (errands.count() > room) return;
+    room -= errands.count();
     for (std::size_t i = 0; i < errands.count(); ++i) encode_part(errands, i, *out.add_shared());
     return;
   }
 }
 
 void encode_command(const run::MissionRun& mission_run, std::uint32_t record, const Estimates& estimates,
-                    Status::Command& out) {
+                    std::size_t& room, Status::Command& out) {
   const State& state = mission_run.state();
   const mission::CommandRecord& command = state.commands[record];
   out.set_text(clean(command.text));
@@ -89,7 +95,7 @@ void encode_command(const run::MissionRun& mission_run, std::uint32_t record, co
   out.set_remaining(estimate.remaining);
   out.set_arrival(estimate.arrival);
   out.set_progress(estimate.progress);
-  if (run->phase == mission::Run::Phase::kRobots) encode_parts(mission_run, *run, out);
+  if (run->phase == mission::Run::Phase::kRobots) encode_parts(mission_run, *run, room, out);
 }
 
 }  // namespace
@@ -138,6 +144,7 @@ void encode_run(const run::MissionRun& run, const Estimates& estimates, Status& 
     out.mutable_real_time()->set_worst_age(robots->worst_age);
   }
   out.set_mission_clock(clock_time(state.options, run.time()));
+  std::size_t room = kMostParts;
   const std::size_t first = state.steps.size() - std::min(state.steps.size(), kMostSteps);
   for (std::size_t i = 0; i < state.steps.size(); ++i) {
     const mission::StepRecord& step = state.steps[i];
@@ -149,7 +156,7 @@ void encode_run(const run::MissionRun& run, const Estimates& estimates, Status& 
     told.set_start(step.start);
     if (step.outcome != mission::Outcome::kRunning) told.set_end(step.end);
     for (std::uint32_t c = 0; c < step.command_count; ++c)
-      encode_command(run, step.first_command + c, estimates, *told.add_commands());
+      encode_command(run, step.first_command + c, estimates, room, *told.add_commands());
   }
   for (const std::string& line : mission::waits_for(state)) out.add_waits_for(clean(line));
   encode_vehicles(run, out);

@@ -1,5 +1,8 @@
 #include "mlab/console/published/status_encoder.h"
 
+#include <string>
+
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "mlab/console/testing/run_of.h"
@@ -83,6 +86,30 @@ TEST(Status, TellsHowManyPartsAreDoneOfWhatRobotsShare) {
   EXPECT_EQ(done, 1);
   EXPECT_EQ(held, 2);
   EXPECT_EQ(visit.shared(0).way(0), 20.0F);
+}
+
+TEST(Status, TellsPartsOfNoMoreCommandsThanCanBeRead) {
+  std::string places;
+  for (int i = 0; i < 100; ++i) places += fmt::format(" {} {}", 50 + i % 50, 20 + i / 50);
+  std::string mission = "MISSION-AREA 200 200\n";
+  for (int unit = 0; unit < 11; ++unit) mission += fmt::format("UNIT <u{}> ROBOT\n", unit);
+  mission += "COMMAND LIST:\n";
+  for (int step = 0; step < 2; ++step) {
+    for (int unit = 0; unit < 11; ++unit)
+      mission += fmt::format("{} UNIT u{} {}", unit == 0 ? fmt::format("{}.", step) : " AND", unit,
+                             step == 0 ? fmt::format("START 10 {}", 10 + 15 * unit) : "VISIT" + places);
+    mission += "\n";
+  }
+  const auto run = testing::run_of(mission);
+  run->post(mission::event::Execute{});
+  testing::step(*run, 20);
+  const Status status = status_of(*run, {});
+  ASSERT_EQ(status.steps_size(), 2);
+  ASSERT_EQ(status.steps(1).commands_size(), 11);
+  for (int unit = 0; unit < 11; ++unit) {
+    EXPECT_EQ(status.steps(1).commands(unit).parts(), 100U) << unit;
+    EXPECT_EQ(status.steps(1).commands(unit).shared_size(), unit < 10 ? 100 : 0) << unit;
+  }
 }
 
 TEST(Status, TellsWhoFollowsACommandThatRobotsWereOrderedAwayFrom) {
