@@ -183,6 +183,14 @@ bool is_straight(const PlannedWay& way) {
   return way.count == 2 && way.length > 0.0 && way.length < kFar;
 }
 
+// Without a call, since most of what follows a way looks at several places of it in each cycle.
+[[gnu::always_inline]] inline geom::Point point_along(const PlannedWay& way, double at) {
+  if (!is_straight(way)) return route_point(way.points(), at);
+  const geom::Point from = way.corners[0];
+  if (!(at > 0.0)) return from;
+  return at < way.length ? from + (way.corners[1] - from) * (at / way.length) : way.corners[1];
+}
+
 /// As plan_way, but for the way's length.
 PlannedWay find_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
                     double margin) {
@@ -355,10 +363,7 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
 }
 
 geom::Point point_on(const PlannedWay& way, double at) {
-  if (!is_straight(way)) return route_point(way.points(), at);
-  const geom::Point from = way.corners[0];
-  if (!(at > 0.0)) return from;
-  return at < way.length ? from + (way.corners[1] - from) * (at / way.length) : way.corners[1];
+  return point_along(way, at);
 }
 
 double nearest_on(const PlannedWay& way, geom::Point p, double from, double to) {
@@ -377,7 +382,7 @@ geom::Point way_point(const PlannedWay& way, double at) {
   const double length = way_length(way);
   if (at < 0.0) return points.front() + begin_direction(way) * at;
   if (at > length) return points.back() + end_direction(way) * (at - length);
-  return point_on(way, at);
+  return point_along(way, at);
 }
 
 std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,
