@@ -183,6 +183,18 @@ bool is_straight(const PlannedWay& way) {
   return way.count == 2 && way.length > 0.0 && way.length < kFar;
 }
 
+/// And it is as long as it says, so that all stations beside it are in line.
+bool goes_straight(const PlannedWay& way) {
+  return is_straight(way) && way.length == distance(way.corners[0], way.corners[1]);
+}
+
+/// Whether all that lies between two points is beyond one edge of the area.
+bool is_beyond(const ways::Bounds& area, geom::Point a, geom::Point b) {
+  constexpr double kRounded = 1e-3;  // more than any of this [m]
+  return std::max(a.x, b.x) < area.x0 - kRounded || std::min(a.x, b.x) > area.x1 + kRounded ||
+         std::max(a.y, b.y) < area.y0 - kRounded || std::min(a.y, b.y) > area.y1 + kRounded;
+}
+
 // Without a call, since most of what follows a way looks at several places of it in each cycle.
 [[gnu::always_inline]] inline geom::Point point_along(const PlannedWay& way, double at) {
   if (!is_straight(way)) return route_point(way.points(), at);
@@ -353,6 +365,9 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     const double there = at + kStep * step;
     const geom::Point place = place_at(there);
     if (distance(place, here) >= away && clearing.is_free(place)) return {place, there};
+    if (step == 0 && is_beyond(ground.bounds, place, place) && goes_straight(way) && ground.walls.empty() &&
+        is_beyond(ground.bounds, place, place_at(std::min(end, at + kStep * kMostPlaces))))
+      break;
   }
   // The way leads there, though it may be nearer to something than the way keeps.
   const bool is_goal = way.end == WayEnd::kGoal && station.x == 0.0 && station.y == 0.0;
