@@ -151,5 +151,34 @@ TEST_F(RecordingCommand, ThatWereCutOffAreShownUpToThere) {
   EXPECT_TRUE(has(cut.out, "as recorded: ")) << cut.out;
 }
 
+// What is missing at the end was not recorded; what was recorded and can't be read any more is another
+// matter.
+TEST_F(RecordingCommand, ThatAreDamagedAreShownUpToThereAndAreNoSuccess) {
+  record();
+  const std::string whole = text_of(folder_ / "run.mcap");
+  const std::string all = mlab("replay run.mcap --headless --quiet").out;
+  const std::string as_recorded = all.substr(all.find("as recorded: "));
+  int damaged = 0;
+  for (std::size_t i = 1; i < 20; ++i) {
+    std::string bytes = whole;
+    bytes[bytes.size() * i / 20] ^= 0x10;
+    write("damaged.mcap", bytes);
+    const Outcome replayed = mlab("replay damaged.mcap --headless --quiet");
+    if (replayed.status == 2) continue;  // its beginning can't be read
+    if (replayed.status == 0) {
+      EXPECT_TRUE(has(replayed.out, as_recorded)) << i << ": only what finds the entries is damaged";
+      continue;
+    }
+    EXPECT_EQ(replayed.status, 1);
+    EXPECT_TRUE(has(replayed.err, "warning: ")) << replayed.err;
+    EXPECT_FALSE(has(replayed.out, "not as recorded")) << replayed.out;
+    EXPECT_TRUE(has(replayed.out, "the recording is damaged")) << replayed.out;
+    if (++damaged > 1) continue;
+    EXPECT_EQ(mlab("trace damaged.mcap --robot 1 --ports noise.x --to 1").status, 1);
+    EXPECT_EQ(mlab("compare damaged.mcap damaged.mcap --quiet").status, 1) << "nobody knows what stood there";
+  }
+  EXPECT_GT(damaged, 0);
+}
+
 }  // namespace
 }  // namespace mlab

@@ -20,6 +20,18 @@ void warn(const std::string& text) {
   fmt::print(stderr, "{}{}\n", colored("warning: ", Color::kWarning), text);
 }
 
+// Without a history where it can't be read, which was told.
+history::Recording read_telling(const std::string& path) {
+  auto recording = history::read_recording(path);
+  if (!recording) {
+    tell(recording.error());
+    return {};
+  }
+  if (!recording->cut.empty()) warn(fmt::format("`{}`: {}", text::shown(path), recording->cut));
+  for (const std::string& remark : remarks_on(recording->history->beginning())) warn(remark);
+  return *std::move(recording);
+}
+
 }  // namespace
 
 std::vector<std::string> remarks_on(const wire::HistoryBeginning& beginning) {
@@ -34,19 +46,14 @@ std::vector<std::string> remarks_on(const wire::HistoryBeginning& beginning) {
 }
 
 std::shared_ptr<history::History> read_history(const std::string& path) {
-  auto recording = history::read_recording(path);
-  if (!recording) {
-    tell(recording.error());
-    return nullptr;
-  }
-  if (!recording->cut.empty()) warn(fmt::format("`{}`: {}", text::shown(path), recording->cut));
-  for (const std::string& remark : remarks_on(recording->history->beginning())) warn(remark);
-  return std::move(recording->history);
+  return read_telling(path).history;
 }
 
 RecordedRun open_recording(const ReplayOptions& options) {
   RecordedRun out;
-  out.history = read_history(options.recording);
+  const history::Recording recording = read_telling(options.recording);
+  out.history = recording.history;
+  out.is_damaged = recording.is_damaged;
   if (!out.history) return out;
   out.replay = replay_of(out.history, options);
   return out;

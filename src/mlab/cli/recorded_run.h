@@ -13,6 +13,7 @@ namespace mlab::cli {
 struct RecordedRun {
   std::shared_ptr<const history::History> history;  ///< null: it can't be read, which was told
   std::unique_ptr<history::Replay> replay;          ///< null: it can't be computed again, which was told
+  bool is_damaged = false;  ///< something of what was recorded is missing, or was changed: that is no success
 };
 
 /// Reads a recording, and tells on standard error what is wrong with it.

@@ -330,10 +330,12 @@ void Fleet::step(double dt) {
   look_after_bodies();
   run_programs(dt);
   for (FleetRobot& robot : now_.robots) {
-    if (robot.body != binding::kNoBody) actions_[robot.body.value] = {};
-    if (robot.life == RobotLife::kRunning)
+    if (robot.life == RobotLife::kRunning) {
       collect(robot, dt);
-    else if (robot.life == RobotLife::kFaulted && now_.failsafes->drives(robot.failsafe))
+      continue;
+    }
+    if (robot.body != binding::kNoBody) actions_[robot.body.value].clear();
+    if (robot.life == RobotLife::kFaulted && now_.failsafes->drives(robot.failsafe))
       go_on_by_failsafe(robot, dt);
   }
   now_.messages.resolve(now_.robots, binding_.time(), [this] { return binding_.radio(); });
@@ -392,14 +394,19 @@ void Fleet::fail_as_known() {
 
 // Takes up what the robot's program answered.
 void Fleet::collect(FleetRobot& robot, double dt) {
+  percept::Action& carried_out = actions_[robot.body.value];
   if (!robot.failure.empty() || !robot::is_number(robot.action)) {
     robot.life = RobotLife::kFaulted;
     robot.action = {};
+    carried_out.clear();
     now_.new_faults.push_back(robot.id);
     return;
   }
-  if (robot.failsafes != 0 && !guard(robot, dt)) return;
-  actions_[robot.body.value] = robot.action;
+  if (robot.failsafes != 0 && !guard(robot, dt)) {
+    carried_out.clear();
+    return;
+  }
+  carried_out.become(robot.action);
   note_calls(robot);
 }
 

@@ -41,7 +41,7 @@ bool flag_at(const std::byte* frame, std::uint32_t offset) {
 }
 
 /// As memcpy; most values are numbers and vectors, for which a call costs more than the copy.
-void copy_value(std::byte* to, const std::byte* from, std::uint32_t size) {
+inline void copy_value(std::byte* to, const std::byte* from, std::uint32_t size) {
   if (size == sizeof(double))
     std::memcpy(to, from, sizeof(double));
   else if (size == sizeof(geom::Vector))
@@ -63,6 +63,21 @@ std::int64_t integer_at(const std::byte* frame, std::uint32_t offset, std::uint3
   }
 }
 
+/// Of a select, in a robot's frame; null where there is none.
+[[gnu::always_inline]] inline const Program::CaseCode* case_of(const Program::SelectCode& select,
+                                                               const std::byte* frame) {
+  const std::int64_t value = integer_at(frame, select.selector, select.selector_size);
+  std::int32_t index = select.otherwise;
+  if (static_cast<std::uint64_t>(value) < select.direct.size()) {
+    index = select.direct[static_cast<std::size_t>(value)];
+  } else {
+    for (const Program::SelectCode::Choice& choice : select.choices) {
+      if (choice.value == value) index = static_cast<std::int32_t>(choice.index);
+    }
+  }
+  return index < 0 ? nullptr : &select.cases[static_cast<std::size_t>(index)];
+}
+
 }  // namespace
 
 const Port* Program::find(std::string_view path) const {
@@ -76,11 +91,7 @@ std::uint32_t Program::SequenceCode::active_in(const std::byte* frame) const {
 }
 
 const Program::CaseCode* Program::SelectCode::chosen_in(const std::byte* frame) const {
-  const std::int64_t value = integer_at(frame, selector, selector_size);
-  for (const Choice& choice : choices) {
-    if (choice.value == value) return &cases[choice.index];
-  }
-  return otherwise < 0 ? nullptr : &cases[static_cast<std::size_t>(otherwise)];
+  return case_of(*this, frame);
 }
 
 std::uint64_t Program::layout_hash() const {
@@ -201,12 +212,12 @@ template <bool kIntervened>
 void Program::run_select(const Instruction& instruction, Run& cycle) const {
   const SelectCode& select = selects_[instruction.data];
   std::byte* const frame = cycle.call.frame;
-  const CaseCode* const chosen = select.chosen_in(frame);
+  const CaseCode* const chosen = case_of(select, frame);
   if (chosen == nullptr) {
     std::memset(frame + instruction.output, 0, select.value_size);
     return;
   }
-  run<kIntervened>(chosen->member, cycle);
+  if (chosen->member.count > 0) run<kIntervened>(chosen->member, cycle);
   copy_value(frame + instruction.output, frame + chosen->value, select.value_size);
 }
 

@@ -122,8 +122,9 @@ class Program {
     std::uint32_t selector_size = 4;
     std::uint32_t value_size = 0;
     std::vector<CaseCode> cases;
-    std::vector<Choice> choices;  ///< of all cases
-    std::int32_t otherwise = -1;
+    std::vector<std::int32_t> direct;  ///< index of the case, by the value; -1: none
+    std::vector<Choice> choices;       ///< of values that `direct` has no place for
+    std::int32_t otherwise = -1;       ///< -1: there is none
 
     /// The case of the selector's value; null where there is none.
     const CaseCode* chosen_in(const std::byte* frame) const;

@@ -143,6 +143,7 @@ class ProgramBuilder {
   Program::Block emit_for(const std::vector<Ref>& refs);
   std::uint32_t emit_sequence(const Op& op);
   std::uint32_t emit_select(const Op& op);
+  static void list_choices(const Node& node, Program::SelectCode& code);
   std::uint32_t emit_delay(const Op& op);
   std::uint32_t emit_async(const Op& op, std::uint32_t words);
   std::uint32_t emit_inputs(const Op& op);

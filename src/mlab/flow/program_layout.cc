@@ -340,6 +340,22 @@ std::uint32_t ProgramBuilder::emit_sequence(const Op& op) {
   return static_cast<std::uint32_t>(program_->sequences_.size() - 1);
 }
 
+// Most selectors are truth values, choices and small numbers: their case stands at the value's own place.
+void ProgramBuilder::list_choices(const Node& node, Program::SelectCode& code) {
+  constexpr std::int64_t kMostDirect = 256;
+  for (std::size_t i = 0; i < node.cases.size(); ++i) {
+    for (const std::int64_t value : node.cases[i].values) {
+      if (value < 0 || value >= kMostDirect) {
+        code.choices.push_back({value, static_cast<std::uint32_t>(i)});
+        continue;
+      }
+      const auto at = static_cast<std::size_t>(value);
+      if (at >= code.direct.size()) code.direct.resize(at + 1, code.otherwise);
+      code.direct[at] = static_cast<std::int32_t>(i);
+    }
+  }
+}
+
 std::uint32_t ProgramBuilder::emit_select(const Op& op) {
   Program::SelectCode code;
   code.selector = offset_of(op.selector);
@@ -350,10 +366,9 @@ std::uint32_t ProgramBuilder::emit_select(const Op& op) {
   const Node& node = *op.node;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (node.cases[i].values.empty()) code.otherwise = static_cast<std::int32_t>(i);
-    for (const std::int64_t value : node.cases[i].values)
-      code.choices.push_back({value, static_cast<std::uint32_t>(i)});
     code.cases.push_back({emit_for({members[i]}), offset_of(members[i])});
   }
+  list_choices(node, code);
   program_->selects_.push_back(std::move(code));
   return static_cast<std::uint32_t>(program_->selects_.size() - 1);
 }

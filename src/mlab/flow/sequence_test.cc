@@ -185,6 +185,60 @@ TEST(Select, RunsOnlyTheChosenMember) {
   EXPECT_DOUBLE_EQ(run.action.velocity.x, 1.0) << "restarted after the pause";
 }
 
+TEST(Select, KnowsEveryValueSmallLargeOrBelowZero) {
+  Network network;
+  network.parameters.push_back({"which", "int", "", "", {}, constant("0"), -1e6, 1e6, {}});
+  Node select = node("chosen", "int");
+  select.kind = Node::Kind::kSelect;
+  select.selector = name("which");
+  const std::vector<std::int64_t> values = {-5, 3, 255, 256, 100'000};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string member = "m" + std::to_string(i);
+    network.nodes.push_back(node(member, "Count", {{"start", constant(std::to_string(10 * (i + 1)))}}));
+    select.cases.push_back({{values[i]}, name(member), {}});
+  }
+  network.nodes.push_back(node("other", "Count", {{"start", constant("90")}}));
+  select.cases.push_back({{}, name("other"), {}});
+  network.nodes.push_back(select);
+  network.nodes.push_back(node("sink", "Show", {{"value", name("chosen")}}));
+  Runner run(network);
+  ASSERT_TRUE(run.program) << text::render(run.sink);
+  const auto chosen = [&](std::int64_t value) {
+    run.program->set(run.frame.data(), *run.program->find("which"), std::to_string(value));
+    run.step();
+    return run.action.velocity.x;
+  };
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_EQ(chosen(values[i]), 10.0 * static_cast<double>(i + 1) + 1.0) << values[i];
+  for (const std::int64_t none : {-6, 0, 4, 254, 257, 99'999}) EXPECT_GT(chosen(none), 90.0) << none;
+}
+
+// The outer ones go on where the inner ones end, however many are open at once.
+TEST(Select, AHundredDeepBuildsAndRuns) {
+  Network network;
+  network.parameters.push_back({"which", "int", "", "", {}, constant("0"), 0, 200, {}});
+  network.nodes.push_back(node("s0", "Count"));
+  network.nodes.push_back(node("other", "Count", {{"start", constant("50")}}));
+  for (int i = 1; i <= 100; ++i) {
+    Node select = node("s" + std::to_string(i), "int");
+    select.kind = Node::Kind::kSelect;
+    select.selector = name("which");
+    select.cases = {{{i}, name("other"), {}}, {{}, name("s" + std::to_string(i - 1)), {}}};
+    network.nodes.push_back(select);
+  }
+  network.nodes.push_back(node("sink", "Show", {{"value", name("s100")}}));
+  Runner run(network);
+  ASSERT_TRUE(run.program) << text::render(run.sink);
+  run.step();
+  run.step();
+  EXPECT_DOUBLE_EQ(run.action.velocity.x, 2.0);
+  EXPECT_DOUBLE_EQ(run.number("s17"), 2.0);
+  run.program->set(run.frame.data(), *run.program->find("which"), "40");
+  run.step();
+  EXPECT_DOUBLE_EQ(run.action.velocity.x, 51.0);
+  EXPECT_DOUBLE_EQ(run.number("s39"), 2.0) << "not evaluated";
+}
+
 TEST(Sequence, AHundredDeepBuildsAndRuns) {
   Network network;
   network.nodes.push_back(node("s0", "Count"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -53,15 +54,18 @@ inline double distance(Point a, Point b) {
 }
 
 /// Of length 1 in the direction of a heading [rad]: its cosine and sine, which take longer to find than all
-/// that is done with them. Each thread remembers the last ones, since most of what a robot computes in a
-/// cycle is turned by its own heading.
+/// that is done with them. Each thread remembers some, since most of what a robot computes in a cycle is
+/// turned by its own heading, or by that of its formation.
 inline Offset ahead_of(double heading) {
   struct Known {
     double heading = 0.0;
     Offset ahead{1.0, 0.0};
   };
-  thread_local Known known;
-  if (std::bit_cast<std::uint64_t>(heading) != std::bit_cast<std::uint64_t>(known.heading))
+  constexpr int kBits = 4;
+  thread_local std::array<Known, 1U << kBits> all;
+  const auto bits = std::bit_cast<std::uint64_t>(heading);
+  Known& known = all[(bits * 0x9e3779b97f4a7c15U) >> (64 - kBits)];
+  if (bits != std::bit_cast<std::uint64_t>(known.heading))
     known = {heading, {std::cos(heading), std::sin(heading)}};
   return known.ahead;
 }

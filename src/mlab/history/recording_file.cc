@@ -275,7 +275,8 @@ text::Result<Recording> read_recording(const std::string& path) {
   auto reader = mcap::Reader::open(path);
   if (!reader) return std::unexpected(reader.error());
   const auto history = std::make_shared<History>();
-  Recording out{history, reader->ending().sentence()};
+  Recording out{history, reader->ending().sentence(),
+                reader->ending().is_broken || !reader->ending().damages.empty()};
   mcap::Selection wanted;
   for (const auto& [id, channel] : reader->summary().channels) {
     if (channel.topic.starts_with(kTopics)) wanted.topics.push_back(channel.topic);
@@ -287,6 +288,7 @@ text::Result<Recording> read_recording(const std::string& path) {
     // What comes behind a gap can't be told from what would have come.
     if (!one) {
       out.cut = one.error().message;
+      out.is_damaged = true;
       break;
     }
     if (*one == nullptr) break;
@@ -295,6 +297,7 @@ text::Result<Recording> read_recording(const std::string& path) {
     if (!problem) continue;
     if (!history->has_begun()) return no_recording(path, *problem);
     out.cut = fmt::format("readable up to cycle {}: {}", history->last_cycle(), *problem);
+    out.is_damaged = true;
     break;
   }
   if (!history->has_begun()) return no_recording(path, out.cut.empty() ? "nothing is in it" : out.cut);

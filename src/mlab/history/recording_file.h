@@ -82,6 +82,9 @@ class RecordingWriter {
 struct Recording {
   std::shared_ptr<History> history;
   std::string cut;  ///< how far it could be read, and why no further, as a sentence; empty: to its end
+  /// Something of what was recorded was changed since. False where the file only ends too early: its writer
+  /// was killed, or the rest of it did not come along.
+  bool is_damaged = false;
 };
 
 /// What can be said of a recording without reading it.

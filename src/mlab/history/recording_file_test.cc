@@ -103,6 +103,7 @@ TEST_F(RecordingFile, OfWhichAPieceIsBrokenIsTheRunInFrontOfIt) {
     const auto read = read_recording(path("broken.mcap"));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_TRUE(read->cut.starts_with(fmt::format("at byte {}: a chunk ", chunks[i].offset))) << read->cut;
+    EXPECT_TRUE(read->is_damaged);
     EXPECT_GE(read->history->last_cycle(), known);
     known = read->history->last_cycle();
   }
@@ -130,6 +131,7 @@ TEST_F(RecordingFile, ThatIsCutOffAnywhereIsTheRunUpToThere) {
     const auto read = read_recording(path("cut.mcap"));
     if (!read) continue;
     EXPECT_NE(read->cut, "");
+    EXPECT_FALSE(read->is_damaged) << "at byte " << length << ": " << read->cut;
     EXPECT_GE(read->history->inputs().size(), most) << "at byte " << length;
     most = read->history->inputs().size();
     ++runs;

@@ -23,6 +23,9 @@ struct Ending {
   std::string why;              ///< it is not whole; empty where it is
   std::vector<Damage> damages;  ///< in front of that, in their order; the first `kMostDamages`, found by
                                 ///< looking through a file that is not whole
+  /// What stands where it can be read no further is not what its writer wrote; else the file just ends there,
+  /// as where its writer was killed.
+  bool is_broken = false;
 
   /// `readable up to byte 1200 of 1300: the file ends with 91 of the 300 bytes of a chunk ...`; empty where
   /// the file is whole.

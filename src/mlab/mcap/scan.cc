@@ -92,6 +92,7 @@ class Scanner {
   using Problem = std::optional<std::string>;
 
   std::optional<Place> next(std::uint64_t at);
+  bool was_closed();
   Problem take(const Place& place);
   void take_sound(const Place& place);
   Problem take_chunk(const Place& place);
@@ -125,6 +126,7 @@ class Scanner {
 
 std::optional<Place> Scanner::next(std::uint64_t at) {
   std::string& why = out_.contents.ending.why;
+  bool& is_broken = out_.contents.ending.is_broken;
   const std::uint64_t left = source_.size() - at;
   if (left == 0) {
     why = "the file ends without a footer: it was cut off, or is still being written";
@@ -138,6 +140,7 @@ std::optional<Place> Scanner::next(std::uint64_t at) {
   const auto bytes = window_.at(at, kRecordHead);
   if (!bytes) {
     why = bytes.error();
+    is_broken = true;
     return std::nullopt;
   }
   Cursor cursor(*bytes);
@@ -148,14 +151,23 @@ std::optional<Place> Scanner::next(std::uint64_t at) {
   out.length = cursor.number<std::uint64_t>();
   if (static_cast<std::uint8_t>(out.opcode) == 0) {
     why = "a byte of 0 stands where a record should begin: it is broken here";
+    is_broken = true;
     return std::nullopt;
   }
   if (out.length > left - kRecordHead) {
     why = fmt::format("the file ends with {} of the {} bytes of {}: it was cut off, or is broken here",
                       left - kRecordHead, out.length, kind_name(out.opcode));
+    is_broken = was_closed();
     return std::nullopt;
   }
   return out;
+}
+
+// The writer came to the end of the file, so none of it can be missing there.
+bool Scanner::was_closed() {
+  if (source_.size() < kMagic.size()) return false;
+  const auto end = window_.at(source_.size() - kMagic.size(), kMagic.size());
+  return end && std::ranges::equal(*end, std::as_bytes(std::span(kMagic)));
 }
 
 std::expected<Scan, std::string> Scanner::look_through(const std::string& why_not_summary) {

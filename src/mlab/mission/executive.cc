@@ -66,12 +66,17 @@ void hold_until(State& state, double time) {
 }
 
 Advance advance(State state, const Event& event) {
-  Advance result{std::move(state), {}};
-  if (result.state.mode == State::Mode::kQuit) return result;
-  Turn turn{.state = result.state, .effects = result.effects, .elapsed = 0.0, .shrunk = {}};
+  std::vector<Effect> effects = advance_in_place(state, event);
+  return {std::move(state), std::move(effects)};
+}
+
+std::vector<Effect> advance_in_place(State& state, const Event& event) {
+  std::vector<Effect> effects;
+  if (state.mode == State::Mode::kQuit) return effects;
+  Turn turn{.state = state, .effects = effects, .elapsed = 0.0, .shrunk = {}};
   std::visit(Handle{turn}, event);
   repair_groups(turn);
-  return result;
+  return effects;
 }
 
 bool awaits_only_operator(const State& state) {

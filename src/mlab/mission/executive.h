@@ -28,6 +28,8 @@ State initial_state(std::shared_ptr<const Mission> mission, const ExecutiveOptio
 /// backwards)
 ///          change nothing or are answered with a warning
 Advance advance(State state, const Event& event);
+/// The same, for who has no use for the state before.
+std::vector<Effect> advance_in_place(State& state, const Event& event);
 
 /// Up to then all robots were held by somebody else (an emergency stop): no command is behind because of that
 /// time.

@@ -86,13 +86,8 @@ std::string share_row(const ShareRow& row, const Axis& axis) {
 }
 
 std::string sample_row(const SampleRow& row, const Axis& axis, double width) {
-  std::vector<std::uint64_t> counts;
-  for (const double value : row.sample->sorted) {
-    const auto bin = static_cast<std::size_t>(std::max(0.0, std::floor((value - axis.low) / width)));
-    if (bin >= counts.size()) counts.resize(bin + 1);
-    ++counts[bin];
-  }
-  const std::uint64_t most = counts.empty() ? 1 : *std::ranges::max_element(counts);
+  const std::vector<std::uint64_t> counts = statistics::histogram(*row.sample, axis.low, axis.high, width);
+  const std::uint64_t most = *std::ranges::max_element(counts);
   std::string bars;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == 0) continue;

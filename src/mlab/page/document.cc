@@ -20,12 +20,13 @@ body { margin: 0 auto; padding: 1rem; max-width: 75rem; background: var(--back);
 h1 { font-size: 1.5rem; line-height: 1.25; margin: .5rem 0; }
 h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
 h3 { font-size: 1rem; margin: 1.25rem 0 .25rem; }
-p { margin: .5rem 0; max-width: 50rem; overflow-wrap: anywhere; }
+p { margin: .5rem 0; max-width: 50rem; overflow-wrap: anywhere; text-wrap: pretty; }
 .faint, .figure, .marks { color: var(--faint); }
 .good { color: var(--good); font-weight: 600; }
 .bad { color: var(--bad); font-weight: 600; }
-.row { display: grid; grid-template-columns: minmax(6rem, 16rem) minmax(0, 1fr) 15rem; gap: 0 .75rem; align-items: center; }
-.label { overflow-wrap: anywhere; }
+.row { display: grid; grid-template-columns: minmax(6rem, 20rem) minmax(0, 1fr) 14rem; gap: 0 .75rem; align-items: center; }
+.label { font-size: .9375rem; line-height: 1.3; overflow-wrap: anywhere; text-wrap: balance; }
+a { color: var(--one); }
 .figure { font-size: .875rem; font-variant-numeric: tabular-nums; }
 .row svg { display: block; width: 100%; height: 30px; overflow: visible; margin: 2px 0; --color: var(--one); }
 .second svg { --color: var(--two); }

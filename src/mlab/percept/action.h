@@ -81,6 +81,23 @@ struct Action {
   std::uint8_t request_count = 0;
   std::array<char, kMaxAlert> alert{};  ///< what the operator is to read; empty: nothing
 
+  /// Becomes an action that does nothing. Requests that do not count any more stay in their places, so that
+  /// they are not written.
+  constexpr void clear() { become(Action{}); }
+  /// Becomes another one, by what counts of it.
+  constexpr void become(const Action& other) {
+    velocity = other.velocity;
+    spin = other.spin;
+    drives = other.drives;
+    spins = other.spins;
+    pan = other.pan;
+    looks = other.looks;
+    status = other.status;
+    request_count = other.request_count;
+    for (std::size_t i = 0; i < request_count && i < requests.size(); ++i) requests[i] = other.requests[i];
+    if (alert.front() != 0 || other.alert.front() != 0) alert = other.alert;
+  }
+
   /// Adds a request. @return false where the cycle already has kMaxRequests; the request is dropped then
   constexpr bool ask(Request request) {
     if (request_count >= kMaxRequests) return false;

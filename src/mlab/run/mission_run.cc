@@ -53,10 +53,9 @@ void MissionRun::post(const mission::Event& event) {
 void MissionRun::carry_out(const mission::Event& event) {
   if (const auto* answer = std::get_if<mission::event::Answer>(&event))
     now_.answers.push_back({now_.cycle, answer->question, answer->proceed});
-  mission::Advance advanced = mission::advance(std::move(now_.executive), event);
-  now_.executive = std::move(advanced.state);
+  const std::vector<mission::Effect> effects = mission::advance_in_place(now_.executive, event);
   now_.moved_at_start = 0;
-  for (const mission::Effect& effect : advanced.effects) apply(effect);
+  for (const mission::Effect& effect : effects) apply(effect);
   if (now_.moved_at_start > kMostMoved) {
     tell(Tell::Kind::kWarning,
          fmt::format("{} more robots start at the nearest free place, since theirs is taken",
@@ -157,10 +156,11 @@ void MissionRun::look() {
   // Robots on other machines may be lost while no time passes; all others stand as they stood.
   if (now_.has_looked && !settings_.robots_elsewhere) return;
   fleet_->report(seen_);
-  if (now_.has_looked && seen_ == report_.robots) return;
+  auto& report = std::get<mission::event::Cycle>(report_);
+  if (now_.has_looked && seen_ == report.robots) return;
   now_.has_looked = true;
-  report_.time = time();
-  std::swap(report_.robots, seen_);
+  report.time = time();
+  std::swap(report.robots, seen_);
   carry_out(report_);
 }
 

@@ -255,10 +255,10 @@ class MissionRun {
   std::unique_ptr<fleet::Fleet> fleet_;
   Observer observer_;
   InputObserver input_observer_;
-  std::vector<binding::Heard> heard_;        // of this cycle
-  std::vector<base::RobotId> teleoperated_;  // filled anew in each cycle
-  mission::event::Cycle report_;             // filled anew for each
-  std::vector<mission::RobotReport> seen_;   // likewise, before anybody is told
+  std::vector<binding::Heard> heard_;                // of this cycle
+  std::vector<base::RobotId> teleoperated_;          // filled anew in each cycle
+  mission::Event report_ = mission::event::Cycle{};  // filled anew for each
+  std::vector<mission::RobotReport> seen_;           // likewise, before anybody is told
 };
 
 }  // namespace mlab::run

@@ -183,6 +183,26 @@ bool is_straight(const PlannedWay& way) {
   return way.count == 2 && way.length > 0.0 && way.length < kFar;
 }
 
+/// And it is as long as it says, so that all stations beside it are in line.
+bool goes_straight(const PlannedWay& way) {
+  return is_straight(way) && way.length == distance(way.corners[0], way.corners[1]);
+}
+
+/// Whether all that lies between two points is beyond one edge of the area.
+bool is_beyond(const ways::Bounds& area, geom::Point a, geom::Point b) {
+  constexpr double kRounded = 1e-3;  // more than any of this [m]
+  return std::max(a.x, b.x) < area.x0 - kRounded || std::min(a.x, b.x) > area.x1 + kRounded ||
+         std::max(a.y, b.y) < area.y0 - kRounded || std::min(a.y, b.y) > area.y1 + kRounded;
+}
+
+// Without a call, since most of what follows a way looks at several places of it in each cycle.
+[[gnu::always_inline]] inline geom::Point point_along(const PlannedWay& way, double at) {
+  if (!is_straight(way)) return route_point(way.points(), at);
+  const geom::Point from = way.corners[0];
+  if (!(at > 0.0)) return from;
+  return at < way.length ? from + (way.corners[1] - from) * (at / way.length) : way.corners[1];
+}
+
 /// As plan_way, but for the way's length.
 PlannedWay find_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
                     double margin) {
@@ -345,6 +365,9 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     const double there = at + kStep * step;
     const geom::Point place = place_at(there);
     if (distance(place, here) >= away && clearing.is_free(place)) return {place, there};
+    if (step == 0 && is_beyond(ground.bounds, place, place) && goes_straight(way) && ground.walls.empty() &&
+        is_beyond(ground.bounds, place, place_at(std::min(end, at + kStep * kMostPlaces))))
+      break;
   }
   // The way leads there, though it may be nearer to something than the way keeps.
   const bool is_goal = way.end == WayEnd::kGoal && station.x == 0.0 && station.y == 0.0;
@@ -355,10 +378,7 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
 }
 
 geom::Point point_on(const PlannedWay& way, double at) {
-  if (!is_straight(way)) return route_point(way.points(), at);
-  const geom::Point from = way.corners[0];
-  if (!(at > 0.0)) return from;
-  return at < way.length ? from + (way.corners[1] - from) * (at / way.length) : way.corners[1];
+  return point_along(way, at);
 }
 
 double nearest_on(const PlannedWay& way, geom::Point p, double from, double to) {
@@ -377,7 +397,7 @@ geom::Point way_point(const PlannedWay& way, double at) {
   const double length = way_length(way);
   if (at < 0.0) return points.front() + begin_direction(way) * at;
   if (at > length) return points.back() + end_direction(way) * (at - length);
-  return point_on(way, at);
+  return point_along(way, at);
 }
 
 std::size_t nearest_walls(const percept::KnownGround& ground, geom::Point here, double reach,

@@ -199,6 +199,31 @@ TEST(PlaceOnWay, IsTheGoalItselfWhereTheWayLeadsThere) {
   EXPECT_GE(distance(place({0.0, 0.5, 0.0}), {50.0, 50.0}), 15.0) << "a station keeps off it";
 }
 
+// Beside a long straight way nobody looks at each place of a station that stays outside of the area all
+// along: which makes no difference. A way with a corner in line is looked along.
+TEST(PlaceOnWay, OutsideOfTheAreaIsTheSameHoweverItIsLookedFor) {
+  const Known known = with_disc();
+  for (const Point goal : {Point{190.0, 90.0}, Point{190.0, 10.0}, Point{20.0, 195.0}}) {
+    auto straight = way_along({{10.0, 10.0}, goal});
+    auto bent = way_along({{10.0, 10.0}, Point{10.0, 10.0} + (goal - Point{10.0, 10.0}) * 0.5, goal});
+    straight.clearance = bent.clearance = 1.0;
+    straight.end = bent.end = WayEnd::kGoal;
+    straight.length = way_length(straight);
+    for (const double aside : {-2000.0, -150.0, -60.0, -15.0, -2.0, 2.0, 15.0, 60.0, 85.0, 150.0, 2000.0}) {
+      for (const double at : {-40.0, 0.0, 100.0, 300.0}) {
+        const auto place = [&](const ways::PlannedWay& way) {
+          return place_on_way(
+              known.ground(), way, {5.0, aside, 0.0}, [] { return 0.0; }, at, {10.0, 10.0}, 5.0);
+        };
+        const PlaceAhead a = place(straight);
+        const PlaceAhead b = place(bent);
+        EXPECT_NEAR(distance(a.place, b.place), 0.0, 1e-6) << goal.x << ' ' << aside << ' ' << at;
+        EXPECT_NEAR(a.at, b.at, 1e-6) << goal.x << ' ' << aside << ' ' << at;
+      }
+    }
+  }
+}
+
 TEST(LeadsOn, SaysHowFarOffTheWayOneIs) {
   const Known known{{}, {}, next_revision()};
   auto way = way_along({{0.0, 0.0}, {50.0, 0.0}});

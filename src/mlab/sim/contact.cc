@@ -85,6 +85,7 @@ void ContactSolver::resize(std::size_t count) {
   is_busy_.resize(count);
   changed_.resize(count);
   near_.resize(count);
+  clear_.resize(count);
   busy_.reserve(count);
   fast_.reserve(count);
 }
@@ -163,6 +164,25 @@ void ContactSolver::for_each_near(const Bodies& bodies, const Surroundings& s, c
   for (std::uint8_t k = 0; k < count; ++k) visit(near_[busy.body].body[k]);
 }
 
+/// True where a body may meet a disc or a wall on its way.
+bool ContactSolver::may_meet_standing(const Bodies& bodies, const Surroundings& s, std::uint32_t body) {
+  constexpr double kCycles = 16.0;  // that it looks ahead
+  const Point start = bodies.position(body);
+  const double reach = way_[body] + bodies.radius[body] + kSkin + kTouch;
+  if (clear_[body].covers(s.statics, start, reach)) return false;
+  bool is_near = false;
+  const Box box = swept_box(bodies, body, motion_[body], bodies.radius[body] + kSkin + kTouch);
+  s.statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) {
+    is_near = is_near || distance(disc.center, start) <= reach + disc.radius;
+  });
+  s.statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
+    is_near = is_near || distance(nearest_point(wall.segment, start), start) <= reach;
+  });
+  if (is_near) return true;
+  clear_[body] = ClearPlace::look(s.statics, start, reach + kCycles * way_[body]);
+  return false;
+}
+
 /// True where a body may meet anything on its way, or the edge of the area. Fills its list of near bodies.
 bool ContactSolver::has_company(const Bodies& bodies, const Surroundings& s, std::uint32_t body) {
   const Point start = bodies.position(body);
@@ -179,14 +199,8 @@ bool ContactSolver::has_company(const Bodies& bodies, const Surroundings& s, std
   const Point end = start + motion_[body];
   if (!is_inside(area_of(bodies, s, body), end)) return true;
   bool is_near = count > 0;
+  if (!is_near) is_near = may_meet_standing(bodies, s, body);
   const double reach = way_[body] + bodies.radius[body] + kSkin + kTouch;
-  const Box box = swept_box(bodies, body, motion_[body], bodies.radius[body] + kSkin + kTouch);
-  s.statics.visit_discs(box, [&](std::uint32_t, const Disc& disc) {
-    is_near = is_near || distance(disc.center, start) <= reach + disc.radius;
-  });
-  s.statics.visit_walls(box, [&](std::uint32_t, const Wall& wall) {
-    is_near = is_near || distance(nearest_point(wall.segment, start), start) <= reach;
-  });
   for (const Passing& roamer : s.roamers)
     is_near = is_near || distance(roamer.from, start) <= reach + roamer.radius + length(roamer.step);
   return is_near;

@@ -9,6 +9,7 @@
 #include "mlab/binding/slide.h"
 #include "mlab/binding/workers.h"
 #include "mlab/sim/bodies.h"
+#include "mlab/sim/clear_place.h"
 #include "mlab/sim/point_grid.h"
 #include "mlab/sim/statics.h"
 
@@ -87,6 +88,7 @@ class ContactSolver {
   void sort_by_speed(const Bodies& bodies);
   void collect_busy(Bodies& bodies, const Surroundings& s, Workers& workers);
   bool has_company(const Bodies& bodies, const Surroundings& s, std::uint32_t body);
+  bool may_meet_standing(const Bodies& bodies, const Surroundings& s, std::uint32_t body);
   /// Calls visit(other) for all bodies that this one might meet in this cycle, by where all stood at its
   /// beginning.
   template <class Visit>
@@ -116,6 +118,7 @@ class ContactSolver {
   std::vector<std::uint8_t> is_busy_;
   std::vector<std::uint8_t> changed_;  ///< by body: until_ fell in the last pass
   std::vector<NearList> near_;
+  std::vector<ClearPlace> clear_;  ///< by body
   std::vector<Busy> busy_;
   std::vector<std::pair<std::uint32_t, Thing>> run_over_;  ///< body and roamer, in this cycle
   std::vector<Fast> fast_;                                 ///< ascending

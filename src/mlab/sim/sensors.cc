@@ -230,12 +230,8 @@ void Sensors::tell_velocities() {
   }
 }
 
-void Sensors::sense_obstacles(double range, percept::Percepts& out) {
-  if (scene_.kinds[scene_.bodies.kind[body_]].spec.has_ring_obstacles) {
-    see_by_ring(range, out);
-    return;
-  }
-  buffer_.seen_.clear();
+/// Discs, and what rays hit of walls.
+void Sensors::see_standing(double range) {
   scene_.statics.visit_discs(Box::around(here_.x, here_.y, range),
                              [&](std::uint32_t index, const Disc& disc) {
                                const double reach = range + disc.radius;
@@ -243,7 +239,6 @@ void Sensors::sense_obstacles(double range, percept::Percepts& out) {
                                if (square <= reach * reach)
                                  see(std::sqrt(square) - disc.radius, index, disc.center, disc.radius);
                              });
-  if (!scene_.roamers.empty()) see_roamers(range);
   collect_walls(range);
   if (!buffer_.walls_.empty()) {
     buffer_.beams_.assign(kWallRays, range);
@@ -259,6 +254,21 @@ void Sensors::sense_obstacles(double range, percept::Percepts& out) {
       buffer_.seen_.push_back({distance - kWallHitRadius, first_id + ray, hit.x, hit.y, kWallHitRadius});
     }
   }
+}
+
+void Sensors::sense_obstacles(double range, percept::Percepts& out) {
+  if (scene_.kinds[scene_.bodies.kind[body_]].spec.has_ring_obstacles) {
+    see_by_ring(range, out);
+    return;
+  }
+  buffer_.seen_.clear();
+  ClearPlace& clear = scene_.clear[body_];
+  if (!clear.covers(scene_.statics, here_, range)) {
+    see_standing(range);
+    // So that it need not look again at once.
+    if (buffer_.seen_.empty()) clear = ClearPlace::look(scene_.statics, here_, 1.25 * range);
+  }
+  if (!scene_.roamers.empty()) see_roamers(range);
   auto area_id = static_cast<std::uint32_t>(scene_.statics.discs().size()) + kWallRays;
   visit_areas(scene_.statics.walls(), here_, [&](const AreaSeen& area) {
     if (area.distance <= range) see(area.distance, area_id, area.center, area.radius);

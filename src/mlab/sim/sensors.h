@@ -7,6 +7,7 @@
 #include "mlab/percept/percepts.h"
 #include "mlab/percept/sensors.h"
 #include "mlab/sim/bodies.h"
+#include "mlab/sim/clear_place.h"
 #include "mlab/sim/objects.h"
 #include "mlab/sim/range_ring.h"
 #include "mlab/sim/sensing.h"
@@ -33,6 +34,7 @@ class Sensors {
     std::uint64_t cycle;
     std::span<const MovingDisc> roamers;
     std::span<const Outline> silences;
+    std::span<ClearPlace> clear;  ///< by body, for whoever senses for it
   };
   Sensors(const Scene& scene, std::uint32_t body, SenseBuffer& buffer);
 
@@ -49,6 +51,7 @@ class Sensors {
   void sense_radio(percept::Percepts& out);
   geom::Vector to_robot(geom::Point point) const;
   geom::Vector velocity_at(const geom::Vector& hit) const;
+  void see_standing(double range);
   void see_by_ring(double range, percept::Percepts& out);
   void see_roamers(double range);
   void tell_velocities();

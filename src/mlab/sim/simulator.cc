@@ -20,6 +20,8 @@ using geom::Offset;
 using geom::Point;
 
 constexpr std::size_t kPiece = 256;
+/// Of a body that nobody moves.
+constexpr percept::Action kStands;
 /// Nobody goes farther in one cycle [m].
 constexpr double kLongestStep = 1e6;
 
@@ -58,6 +60,7 @@ void Simulator::Parts::refresh() {
   reach = std::max(asked.exchange(0.0F, std::memory_order_relaxed), 0.5F * reach);
   grid.build(items, std::max({0.05, 2.0 * widest, PointGrid::cell_for(static_cast<double>(reach))}));
   state.objects.refresh();
+  clear.resize(bodies.count());
   is_stale.store(false, std::memory_order_release);
 }
 
@@ -87,7 +90,7 @@ void Simulator::Parts::want(const percept::Action& action, std::uint32_t body, d
   bodies.momentum[body] = wanted.momentum;
   if (wanted.heading != bodies.heading[body]) {
     bodies.heading[body] = wanted.heading;
-    bodies.ahead[body] = {std::cos(wanted.heading), std::sin(wanted.heading)};
+    bodies.ahead[body] = geom::ahead_of(wanted.heading);
   }
   if (action.looks) bodies.pan[body] = turned_camera(spec.camera, bodies.pan[body], action.pan, dt);
 }
@@ -315,7 +318,7 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   p.workers.run(bodies.count(), kPiece, [&](std::size_t begin, std::size_t end, int) {
     bool any = false;
     for (std::size_t i = begin; i < end; ++i) {
-      const percept::Action& action = i < actions.size() ? actions[i] : percept::Action{};
+      const percept::Action& action = i < actions.size() ? actions[i] : kStands;
       p.want(action, static_cast<std::uint32_t>(i), dt);
       any = any || action.request_count > 0;
     }

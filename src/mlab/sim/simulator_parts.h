@@ -66,9 +66,9 @@ struct Simulator::Parts {
     while (before < asked_now && !asked.compare_exchange_weak(before, asked_now, std::memory_order_relaxed)) {
     }
   }
-  Sensors::Scene scene() const {
-    return {state.bodies,  grid,        *state.statics,  state.objects,  state.kinds,
-            settings.seed, state.cycle, roaming.discs(), *state.silences};
+  Sensors::Scene scene() {
+    return {state.bodies,  grid,        *state.statics,  state.objects,   state.kinds,
+            settings.seed, state.cycle, roaming.discs(), *state.silences, clear};
   }
   std::uint32_t kind_of(const BodySpec& spec);
   void want(const percept::Action& action, std::uint32_t body, double dt);
@@ -94,6 +94,7 @@ struct Simulator::Parts {
   float reach = 0.0F;              ///< the same over some cycles, for the size of its cells
   std::atomic<bool> is_stale{true};
   std::mutex refreshing;
+  std::vector<ClearPlace> clear;  ///< by body: where its eyes see nothing that stands
   Placer placer;
   bool is_placer_stale = true;
   ContactSolver contact;

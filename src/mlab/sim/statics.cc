@@ -1,6 +1,7 @@
 #include "mlab/sim/statics.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace mlab::sim {
@@ -16,6 +17,11 @@ constexpr std::size_t kLeastEntries = 16384;
 std::size_t size_class(double size, double factor) {
   return static_cast<std::size_t>(
       std::ceil(std::log(std::max(size, kSmallest) / kSmallest) / std::log(factor)));
+}
+
+std::uint64_t next_id() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
 }
 
 /// Puts what is of the same size class together.
@@ -70,7 +76,7 @@ WallGrid::WallGrid(std::span<const Item> items) {
 }
 
 Statics::Statics(std::vector<Disc> discs, std::vector<Wall> walls)
-    : discs_(std::move(discs)), walls_(std::move(walls)) {
+    : id_(next_id()), discs_(std::move(discs)), walls_(std::move(walls)) {
   SizeClasses<PointGrid::Item> disc_classes;
   for (std::uint32_t index = 0; index < discs_.size(); ++index) {
     const Disc& disc = discs_[index];

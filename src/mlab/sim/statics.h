@@ -55,6 +55,8 @@ class Statics {
  public:
   Statics(std::vector<Disc> discs, std::vector<Wall> walls);
 
+  /// Another one: it is not the same, and may hold something else.
+  std::uint64_t id() const { return id_; }
   std::span<const Disc> discs() const { return discs_; }
   std::span<const Wall> walls() const { return walls_; }
   /// Calls visit(index, disc) for all discs that touch the box, and some others; none twice.
@@ -81,6 +83,7 @@ class Statics {
   std::uint32_t walls_between(geom::Point a, geom::Point b, std::vector<std::uint32_t>& met) const;
 
  private:
+  std::uint64_t id_;
   std::vector<Disc> discs_;
   std::vector<Wall> walls_;
   /// One for things of about the same size each, so that a single huge one makes no difference to the others.

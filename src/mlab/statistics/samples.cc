@@ -37,23 +37,38 @@ double round_step(double length, std::size_t most_steps) {
   return 10.0 * power;
 }
 
-Histogram histogram(std::span<const double> values, double low, double high, std::size_t most_bins) {
-  Histogram out;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
+namespace {
+
+// Of 1, 2 and 5 times a power of ten.
+double nearest_round(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  double out = power;
+  for (const double factor : {2.0, 5.0, 10.0}) {
+    if (factor * power * out < length * length) out = factor * power;
   }
-  // The first and the last bin may begin before and end behind what is spanned.
-  out.width = round_step(high - low, std::max<std::size_t>(most_bins, 3) - 2);
-  out.low = std::floor(low / out.width) * out.width;
-  const auto bin = [&](double value) {
-    return static_cast<std::size_t>(std::max(0.0, std::floor((value - out.low) / out.width)));
-  };
-  out.counts.resize(bin(high) + 1);
-  for (const double value : values) {
-    if (std::isfinite(value)) ++out.counts[std::min(bin(value), out.counts.size() - 1)];
+  return out;
+}
+
+}  // namespace
+
+double bin_width(const Sample& sample, double span, std::size_t most) {
+  const double narrowest = span / static_cast<double>(std::max<std::size_t>(most, 1));
+  double width = narrowest;
+  if (sample.size() > 1) {
+    const auto n = static_cast<double>(sample.size());
+    const double of_normal = 3.49 * sample.deviation;  // the same of values that are normally distributed
+    const double half = 2.0 * (quantile(sample, 0.75) - quantile(sample, 0.25));
+    const double range = sample.sorted.back() - sample.sorted.front();
+    width = std::min((half > 0.0 ? half : of_normal) / std::cbrt(n), range / (std::log2(n) + 1.0));
   }
+  return std::max(nearest_round(std::clamp(width, narrowest, span)), round_step(span, most));
+}
+
+std::vector<std::uint64_t> histogram(const Sample& sample, double low, double high, double width) {
+  const double bins = std::max(1.0, std::ceil((high - low) / width * (1.0 - 1e-9)));
+  std::vector<std::uint64_t> out(static_cast<std::size_t>(bins));
+  for (const double value : sample.sorted)
+    ++out[static_cast<std::size_t>(std::clamp(std::floor((value - low) / width), 0.0, bins - 1.0))];
   return out;
 }
 

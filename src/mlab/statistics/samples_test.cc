@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -37,24 +36,44 @@ TEST(Quantile, IsThatOfTypeSeven) {
   EXPECT_EQ(quantile(sample_of(std::vector{7.0}), 0.3), 7.0);
 }
 
-TEST(Histogram, HasRoundBinsThatHoldEverything) {
-  const std::vector<double> values{327.7, 331.2, 340.0, 329.9, std::nan(""), 349.99};
-  const Histogram found = histogram(values, 327.7, 349.99, 20);
-  EXPECT_EQ(found.width, 2.0);
-  EXPECT_EQ(found.low, 326.0);
-  EXPECT_GT(found.high(), 349.99);
-  EXPECT_LE(found.counts.size(), 20U);
-  EXPECT_EQ(std::accumulate(found.counts.begin(), found.counts.end(), std::uint64_t{0}), 5U);
-  EXPECT_EQ(found.counts[0], 1U);
-  EXPECT_EQ(found.counts[7], 1U);
+// 400 values from 300 to 350, more of them in the middle.
+Sample bell() {
+  std::vector<double> values;
+  for (int i = 0; i < 400; ++i) {
+    const double share = (i + 0.5) / 400.0;
+    values.push_back(325.0 + 25.0 * std::pow(2.0 * share - 1.0, 3.0));
+  }
+  return sample_of(values);
 }
 
-TEST(Histogram, TakesEqualValuesAndFarOnes) {
-  const Histogram equal = histogram(std::vector{0.0, 0.0, 0.0}, 0.0, 0.0, 20);
-  EXPECT_EQ(equal.counts, std::vector<std::uint64_t>{3});
-  const Histogram far = histogram(std::vector{-1e300, 1e300}, 0.0, 1.0, 20);
-  EXPECT_LE(far.counts.size(), 22U);
-  EXPECT_EQ(far.counts.front() + far.counts.back(), 2U);
+TEST(BinWidth, IsRoundAndGetsNarrowerWithTheNumber) {
+  EXPECT_DOUBLE_EQ(bin_width(bell(), 60.0, 40), 2.0) << "twice 6.25 over the third root of 400";
+  const Sample few = sample_of(std::vector{300.0, 310.0, 330.0, 350.0});
+  EXPECT_DOUBLE_EQ(bin_width(few, 60.0, 40), 20.0) << "three bins for four values";
+}
+
+TEST(BinWidth, OfEqualValuesOrASingleOneIsTheNarrowest) {
+  EXPECT_DOUBLE_EQ(bin_width(sample_of(std::vector{7.0, 7.0, 7.0}), 40.0, 40), 1.0);
+  EXPECT_DOUBLE_EQ(bin_width(sample_of(std::vector{7.0}), 40.0, 40), 1.0);
+}
+
+TEST(BinWidth, OfWhatIsMostlyOneValueGoesByTheDeviation) {
+  std::vector<double> values(100, 10.0);
+  for (int i = 0; i < 10; ++i) values[static_cast<std::size_t>(i)] = 10.0 * i;
+  const double width = bin_width(sample_of(values), 100.0, 40);
+  EXPECT_GE(width, 5.0);
+  EXPECT_LE(width, 10.0);
+  EXPECT_GE(bin_width(sample_of(std::vector{0.0, 1e-9, 2e-9, 1e9}), 1e9, 40), 1e9 / 40.0)
+      << "never more bins";
+}
+
+TEST(Histogram, HoldsEveryValueTheUpperEdgeToo) {
+  const Sample sample = sample_of(std::vector{0.0, 1.0, 4.9, 5.0, 10.0});
+  EXPECT_EQ(histogram(sample, 0.0, 10.0, 5.0), (std::vector<std::uint64_t>{3, 2}));
+  EXPECT_EQ(histogram(sample, 2.0, 7.0, 4.0), (std::vector<std::uint64_t>{4, 1})) << "what lies outside";
+  EXPECT_EQ(histogram(sample_of(std::vector{0.1, 0.2, 0.3}), 0.0, 0.3, 0.1).size(), 3U)
+      << "no bin for the last digit";
+  EXPECT_EQ(histogram(Sample{}, 0.0, 1.0, 0.5), (std::vector<std::uint64_t>{0, 0}));
 }
 
 TEST(RoundStep, IsOneTwoOrFiveTimesAPowerOfTen) {

@@ -235,6 +235,13 @@ TEST_F(KeptFile, RefusesWhatIsNoneOfOurs) {
   EXPECT_FALSE(ResultsFile::open("/no/such/folder/file", identity_, true));
 }
 
+// What a device gives has no end.
+TEST_F(KeptFile, IsNoDevice) {
+  const auto opened = ResultsFile::open("/dev/full", Identity{}, false);
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error(), "is no ordinary file");
+}
+
 TEST(Batch, StopsEarlyAtTheSameRunWhateverTheThreads) {
   const Fields fields = {{"runs", "400"}, {"require", "success >= 0.5 @ 0.95"}, {"until", "decided"}};
   Made one(fields);

@@ -17,18 +17,29 @@ std::string system_error(const char* what) {
   return fmt::format("can't be {}: {}", what, std::generic_category().message(errno));
 }
 
-std::optional<LockedFile> LockedFile::open(const std::string& path) {
+namespace {
+
+// What a device or a pipe gives may never end.
+bool is_ordinary(int descriptor) {
+  struct stat status{};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+}  // namespace
+
+std::expected<LockedFile, std::string> LockedFile::open(const std::string& path, const char* what) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
-  if (descriptor < 0) return std::nullopt;
-  return LockedFile(descriptor);
+  if (descriptor < 0) return std::unexpected(system_error(what));
+  LockedFile out(descriptor);
+  if (!is_ordinary(descriptor)) return std::unexpected("is no ordinary file");
+  return out;
 }
 
 std::optional<LockedFile> LockedFile::open_existing(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return std::nullopt;
   LockedFile out(descriptor);
-  struct stat status{};
-  if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  if (!is_ordinary(descriptor)) return std::nullopt;
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <expected>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +14,10 @@ namespace mlab::study {
 class LockedFile {
  public:
   /// Makes the file where there is none.
-  static std::optional<LockedFile> open(const std::string& path);
+  /// @param what  is done with it, for the error: `opened`
+  /// @errors  what the system says, behind the file's name; `is no ordinary file` of a folder, a pipe, a
+  ///          device
+  static std::expected<LockedFile, std::string> open(const std::string& path, const char* what);
   /// @return  nothing where there is none, or it is no file but a folder, a pipe, ...
   static std::optional<LockedFile> open_existing(const std::string& path);
   ~LockedFile();

@@ -210,8 +210,7 @@ class PageMaker {
         continue;
       }
       const Axis axis = number_axis(low, high);
-      double width = statistics::round_step(axis.high - axis.low, kMostBins);
-      if (numbers[i].unit.empty()) width = std::max(width, 1.0);  // counts are whole
+      const double width = bin_width(cells, i, axis.high - axis.low);
       for (const CellSummary* cell : cells)
         out_ += sample_row({label_of(*cell), &cell->samples[i], cell->version == 1}, axis, width);
       out_ += axis_row(axis);
@@ -219,37 +218,95 @@ class PageMaker {
     add_left_out();
   }
 
-  // Success over pieces of the range of each value that was drawn, all combinations together.
+  // One for all rows, so that they can be compared: that of the sample which shows most.
+  static double bin_width(const std::vector<const CellSummary*>& cells, std::size_t number, double span) {
+    double width = span;
+    bool is_whole = true;  // counts are
+    for (const CellSummary* cell : cells) {
+      const statistics::Sample& sample = cell->samples[number];
+      if (sample.empty()) continue;
+      width = std::min(width, statistics::bin_width(sample, span, kMostBins));
+      is_whole = is_whole && std::ranges::all_of(sample.sorted, [](double v) { return v == std::floor(v); });
+    }
+    return is_whole ? std::max(width, 1.0) : width;
+  }
+
+  // Success over pieces of the range of each value that was drawn.
   void add_drawn() {
     for (std::size_t i = 0; i < definition_.dimensions.size(); ++i) {
       const Dimension& one = definition_.dimensions[i];
       if (!one.is_drawn()) continue;
       out_ += heading_of(fmt::format("Success by {}", one.name.text));
-      std::vector<statistics::Count> counts(kMostPieces);
-      const double width = (one.high - one.low) / static_cast<double>(kMostPieces);
-      for (std::uint32_t combination = 0; combination < plan_.combinations(); ++combination) {
-        for (const Row& row : batch_.cell(0, combination).rows) {
-          const double value = plan_.drawn(i, row.key.run);
-          const auto piece = static_cast<std::size_t>(std::max(0.0, (value - one.low) / width));
-          statistics::Count& count = counts[std::min(piece, kMostPieces - 1)];
-          ++count.trials;
-          if (row.success) ++count.successes;
-        }
-      }
+      out_ += fmt::format("<p class=\"faint\">Over pieces of the range that it was drawn from{}.</p>\n",
+                          text::markup(pooled_words()));
+      const std::vector<statistics::Count> all = counts_over(i, std::nullopt);
       const Axis axis = share_axis();
       for (std::size_t piece = 0; piece < kMostPieces; ++piece) {
-        if (counts[piece].trials == 0) continue;
-        const double from = one.low + static_cast<double>(piece) * width;
-        ShareRow row{fmt::format("{} to {}: {}", brief(from), brief(from + width),
-                                 base::counted(counts[piece].trials, "run")),
-                     counts[piece], std::nullopt, false};
+        if (all[piece].trials == 0) continue;
+        ShareRow row{piece_of(one, piece) + ": " + base::counted(all[piece].trials, "run"), all[piece],
+                     std::nullopt, false};
         // Runs of several combinations have seeds in common: together they are no independent trials.
         if (plan_.combinations() == 1)
-          row.interval = interval_of(definition_, counts[piece], definition_.confidence);
+          row.interval = interval_of(definition_, all[piece], definition_.confidence);
         out_ += share_row(row, axis);
       }
       out_ += axis_row(axis);
+      add_each_combination(i);
     }
+  }
+  // What is taken together in these shares.
+  std::string pooled_words() const {
+    std::string out;
+    if (plan_.combinations() > 1)
+      out = fmt::format(", all {} together", base::counted(plan_.combinations(), "combination"));
+    if (drawn_count() > 1) out += ", whatever else was drawn";
+    if (plan_.versions() == 2) out += fmt::format("; of {} alone", definition_.mission.text);
+    return out;
+  }
+  std::size_t drawn_count() const {
+    return static_cast<std::size_t>(std::ranges::count_if(definition_.dimensions, &Dimension::is_drawn));
+  }
+  std::string piece_of(const Dimension& one, std::size_t piece) const {
+    const double width = (one.high - one.low) / static_cast<double>(kMostPieces);
+    const double from = one.low + static_cast<double>(piece) * width;
+    return fmt::format("{} to {}", brief(from), brief(from + width));
+  }
+  // By piece of the range of a value that was drawn; of one combination, or of all.
+  std::vector<statistics::Count> counts_over(std::size_t dimension,
+                                             std::optional<std::uint32_t> combination) const {
+    const Dimension& one = definition_.dimensions[dimension];
+    const double width = (one.high - one.low) / static_cast<double>(kMostPieces);
+    std::vector<statistics::Count> out(kMostPieces);
+    for (std::uint32_t c = 0; c < plan_.combinations(); ++c) {
+      if (combination && c != *combination) continue;
+      for (const Row& row : batch_.cell(0, c).rows) {
+        const double value = plan_.drawn(dimension, row.key.run);
+        const auto piece = static_cast<std::size_t>(std::max(0.0, (value - one.low) / width));
+        statistics::Count& count = out[std::min(piece, kMostPieces - 1)];
+        ++count.trials;
+        if (row.success) ++count.successes;
+      }
+    }
+    return out;
+  }
+  // The same for each combination by itself, of as many as go beside each other.
+  void add_each_combination(std::size_t dimension) {
+    constexpr std::uint64_t kMostBeside = 8;
+    if (plan_.combinations() < 2 || plan_.combinations() > kMostBeside) return;
+    const Dimension& one = definition_.dimensions[dimension];
+    std::vector<std::vector<std::string>> rows = {{one.name.text}};
+    for (std::size_t piece = 0; piece < kMostPieces; ++piece) rows.push_back({piece_of(one, piece)});
+    for (std::uint32_t c = 0; c < plan_.combinations(); ++c) {
+      rows[0].push_back(text_of(plan_.settings(c)));
+      const std::vector<statistics::Count> counts = counts_over(dimension, c);
+      for (std::size_t piece = 0; piece < kMostPieces; ++piece)
+        rows[piece + 1].push_back(share_text(counts[piece]));
+    }
+    out_ += table("Of each combination by itself", rows, 1);
+  }
+  static std::string share_text(statistics::Count count) {
+    if (count.trials == 0) return "no run";
+    return fmt::format("{} of {}, {}", count.successes, count.trials, percent(count.share()));
   }
 
   std::string recording_of(const FailureGroup& group) const {

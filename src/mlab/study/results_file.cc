@@ -126,8 +126,8 @@ bool ResultsFile::keeps_runs(const std::string& path) {
 
 std::expected<ResultsFile::Opened, std::string> ResultsFile::open(const std::string& path,
                                                                   const Identity& identity, bool resumes) {
-  auto file = LockedFile::open(path);
-  if (!file) return std::unexpected(system_error("opened"));
+  auto file = LockedFile::open(path, "opened");
+  if (!file) return std::unexpected(file.error());
   if (!file->lock()) return std::unexpected(kResultsInUse);
   if (!file->is_there()) return open(path, identity, resumes);  // who had it has finished, and removed it
   const auto all = file->read();

@@ -102,8 +102,8 @@ std::expected<SharedResults::Joined, std::string> SharedResults::join_at_once(co
                                                                               const std::string& now,
                                                                               const Share& share,
                                                                               bool resumes) {
-  auto all = LockedFile::open(path);
-  if (!all) return std::unexpected(system_error("opened"));
+  auto all = LockedFile::open(path, "opened");
+  if (!all) return std::unexpected(all.error());
   if (!lock_for_a_moment(*all)) return std::unexpected(kResultsInUse);
   // Who had it has finished, and removed it.
   if (!all->is_there()) return join_at_once(path, identity, now, share, resumes);
@@ -129,8 +129,8 @@ std::expected<SharedResults::Joined, std::string> SharedResults::join_at_once(co
   } else if (!all->cut(contents->size)) {
     return std::unexpected(system_error("written"));
   }
-  auto file = LockedFile::open(own);
-  if (!file) return std::unexpected(system_error("begun beside it"));
+  auto file = LockedFile::open(own, "begun beside it");
+  if (!file) return std::unexpected(file.error());
   if (!file->lock()) return std::unexpected(kResultsInUse);
   out.results.reset(new SharedResults(path, own, std::move(*file)));
   out.results->beginning_ = contents->size;

@@ -32,14 +32,21 @@ namespace fs = std::filesystem;
 
 constexpr double kRedrawn = 0.2;  // [s]
 
+/// One of the two. Of one that is damaged nobody can say that it is the same.
+struct Side {
+  comparison::Recorded recorded;
+  bool is_damaged = false;
+};
+
 // Nothing where it is no recording, which is told.
-std::optional<comparison::Recorded> open_side(const std::string& path, const CompareOptions& options) {
+std::optional<Side> open_side(const std::string& path, const CompareOptions& options) {
   auto recording = history::read_recording(path);
   if (!recording) {
     tell(recording.error());
     return std::nullopt;
   }
-  comparison::Recorded out;
+  Side side{{}, recording->is_damaged};
+  comparison::Recorded& out = side.recorded;
   out.name = path;
   out.history = std::move(recording->history);
   if (!recording->cut.empty()) {
@@ -55,13 +62,13 @@ std::optional<comparison::Recorded> open_side(const std::string& path, const Com
       problems);
   if (out.replay) {
     out.replay->run().set_meanwhile(was_interrupted);
-    return out;
+    return side;
   }
   out.why_not = out.history->why_not_recomputed();
   for (const text::Diagnostic& problem : problems.items()) {
     if (out.why_not.empty() && problem.severity == text::Severity::kError) out.why_not = problem.message;
   }
-  return out;
+  return side;
 }
 
 bool page_is_usable(const CompareOptions& options) {
@@ -111,10 +118,11 @@ void compute(comparison::Comparer& comparer, bool is_quiet) {
 
 int compare(const CompareOptions& options) {
   if (!page_is_usable(options)) return kBadInput;
-  std::optional<comparison::Recorded> first = open_side(options.first, options);
-  std::optional<comparison::Recorded> second = open_side(options.second, options);
+  std::optional<Side> first = open_side(options.first, options);
+  std::optional<Side> second = open_side(options.second, options);
   if (!first || !second) return kBadInput;
-  comparison::Comparer comparer({std::move(*first), std::move(*second)});
+  const bool is_damaged = first->is_damaged || second->is_damaged;
+  comparison::Comparer comparer({std::move(first->recorded), std::move(second->recorded)});
   compute(comparer, options.quiet);
   const comparison::Comparison result = comparer.finish();
   if (options.json)
@@ -131,7 +139,7 @@ int compare(const CompareOptions& options) {
     }
     if (!options.json) fmt::print("page: {}\n", options.page);
   }
-  return result.is_same() && result.is_whole ? kDone : kFailed;
+  return result.is_same() && result.is_whole && !is_damaged ? kDone : kFailed;
 }
 
 }  // namespace mlab::cli

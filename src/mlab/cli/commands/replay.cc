@@ -202,6 +202,7 @@ int replay(const ReplayOptions& options) {
   const std::string outcome = run::outcome_name(run, run::RunEnd::kInterrupted);
   screen.show_summary(run, outcome, performance.wall_seconds);
   fmt::print("{}\n", outcome_of(*recorded.replay));
+  if (recorded.is_damaged) fmt::print("what comes after that can't be read: the recording is damaged\n");
   if (recorded.replay->divergence()) {
     fmt::print("from there on, as it was recorded:\n");
     show_recorded(*recorded.history, recorded.replay->divergence()->cycle);
@@ -213,7 +214,7 @@ int replay(const ReplayOptions& options) {
   if (!options.report.empty() &&
       !deliver("report", options.report, run::report_json(run, performance, run::RunEnd::kInterrupted)))
     return kFailed;
-  return recorded.replay->divergence() ? kFailed : kDone;
+  return recorded.replay->divergence() || recorded.is_damaged ? kFailed : kDone;
 }
 
 }  // namespace mlab::cli

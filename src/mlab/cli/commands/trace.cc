@@ -269,7 +269,7 @@ int trace(const TraceOptions& options) {
         "has {}, up to {:.1f} s\n",
         options.from, base::counted(recorded.history->last_cycle(), "cycle"), recorded.history->last_time());
   if (recorded.replay->divergence()) fmt::print(stderr, "{}\n", outcome_of(*recorded.replay));
-  return recorded.replay->divergence() || was_interrupted() ? kFailed : kDone;
+  return recorded.replay->divergence() || recorded.is_damaged || was_interrupted() ? kFailed : kDone;
 }
 
 }  // namespace mlab::cli
