@@ -161,6 +161,15 @@ TEST_F(Trapped, UnitsThatMeetAtADoorForOneTakeTurns) {
   }
 }
 
+TEST_F(Trapped, ACorridorAsWideAsAWayMustBeIsPassed) {
+  carry_out(
+      "MISSION-AREA 120 40\nCONTROL MEASURES:\nWALL a 30 19.69 90 19.69\nWALL b 30 20.31 90 20.31\nWALL c 30 "
+      "0 30 "
+      "19.69\nWALL d 30 20.31 30 40\nWALL e 90 0 90 19.69\nWALL f 90 20.31 90 40\n",
+      "UNIT <a> r\nCOMMAND LIST:\n0. UNIT a START 15 20\n1. UNIT a MOVETO 105 20\n");
+  EXPECT_TRUE(is_done()) << told_;
+}
+
 TEST_F(Trapped, NobodyWaitsForEverForWhoCanNotCome) {
   // One of them is closed in, and the others are told to keep together.
   carry_out(kPlain + "WALL room 20 200 60 200 60 240 20 240 20 200\n",

@@ -81,9 +81,21 @@ void Surroundings::add_walls() {
   }
 }
 
+// Where a ray hits a wall that is known stands no more than that wall; where it is tight that decides.
+bool Surroundings::is_known_wall(const percept::Obstacle& seen) const {
+  constexpr double kTight = 0.25;  // from the body to a wall [m]
+  constexpr double kOnIt = 0.01;   // [m]
+  if (wall_count_ == 0 || length(standing_[0].place) >= spacing_.radius + kTight) return false;
+  const Point hit = here_ + to_world(seen.center);
+  return std::ranges::any_of(std::span(walls_).first(wall_count_), [&](const Segment& wall) {
+    return distance(nearest_point(wall, hit), hit) < kOnIt;
+  });
+}
+
 void Surroundings::add_obstacles() {
   for (const percept::Obstacle& obstacle : obstacles_) {
     if (standing_.is_full()) break;
+    if (is_known_wall(obstacle)) continue;
     const double reach = obstacle.radius + spacing_.radius;
     if (obstacle.is_moving() || length(obstacle.center) - obstacle.radius > 0.5 * near_) continue;
     const Offset place = to_world(obstacle.center);

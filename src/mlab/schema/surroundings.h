@@ -58,6 +58,7 @@ class Surroundings {
 
   void add_edges();
   void add_walls();
+  bool is_known_wall(const percept::Obstacle& seen) const;
   void add_obstacles();
   void add_robots(SeenRobots& seen);
   void bar_robots();

@@ -72,6 +72,18 @@ TEST_F(SurroundingsTest, OfWhatIsBetweenTwoRobotsEachTakesHalf) {
   EXPECT_LE(goes({0, 5}).y, 0.1);
 }
 
+// A corridor whose walls are known, and seen by rays besides, which take them for a little thicker.
+TEST_F(SurroundingsTest, WhereItIsTightOnlyTheWallsCountThatAreKnown) {
+  percepts_.ground.revision = 1;
+  const std::vector<geom::Segment> walls{{{99.28, 0}, {99.28, 100}}, {{100.72, 0}, {100.72, 100}}};
+  for (const double ahead : {0.0, 0.72, -0.72}) {
+    for (const double left : {0.72, -0.72}) obstacles_.push_back({.center = {ahead, left, 0}, .radius = 0.1});
+  }
+  EXPECT_LT(goes({0, 5}).y, 0.499) << "things that nobody knows of are kept clear of";
+  percepts_.ground.walls = walls;
+  EXPECT_NEAR(goes({0, 5}).y, 0.5, 1e-9);
+}
+
 TEST_F(SurroundingsTest, TheAreaIsNotLeft) {
   percepts_.pose.position = {100, 99.9};
   EXPECT_LE(goes({0, 5}).y, 0.1 + 1e-9);
