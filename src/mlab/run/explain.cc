@@ -133,16 +133,16 @@ void add_turn(const fleet::Fleet& fleet, const fleet::FleetRobot& robot, std::ve
   const auto wish = schema::wish_of(fleet.perceive_at(robot, pose, {}, 0.0), robot.id);
   if (!wish) return;
   const std::uint32_t first = wish->priority.robot().value;
-  if (first == robot.id.value) {
-    out.push_back(fmt::format("  asks those in its way to let it through, towards ({:.1f}, {:.1f}){}",
-                              wish->to.x, wish->to.y,
-                              wish->priority.is_cornered() ? "; it can't make way itself" : ""));
-  } else if (distance(wish->to, pose.position) < kHere) {
-    out.push_back(fmt::format("  waits here until robot {} has passed", first));
-  } else {
+  const std::string there = fmt::format("({:.1f}, {:.1f})", wish->to.x, wish->to.y);
+  if (wish->priority.is_cornered())
     out.push_back(
-        fmt::format("  makes way for robot {}, towards ({:.1f}, {:.1f})", first, wish->to.x, wish->to.y));
-  }
+        fmt::format("  can't make way for robot {}, and asks to be let through, towards {}", first, there));
+  else if (first == robot.id.value)
+    out.push_back(fmt::format("  asks those in its way to let it through, towards {}", there));
+  else if (distance(wish->to, pose.position) < kHere)
+    out.push_back(fmt::format("  waits here until robot {} has passed", first));
+  else
+    out.push_back(fmt::format("  makes way for robot {}, towards {}", first, there));
 }
 
 }  // namespace

@@ -39,6 +39,15 @@ class Near {
     }
   }
 
+  /// How the wall runs that is nearest, if it is beside the place [rad].
+  std::optional<double> along_wall(Point here) const {
+    constexpr double kBeside = 1.5;  // [m]
+    const auto away = [&](const geom::Segment& wall) { return distance(nearest_point(wall, here), here); };
+    const auto nearest = std::ranges::min_element(walls_.all(), {}, away);
+    if (nearest == walls_.all().end() || away(*nearest) > kBeside) return std::nullopt;
+    return geom::direction(nearest->b - nearest->a);
+  }
+
   /// Whether nothing stands between two places, however near to the line.
   bool is_in_sight(Point a, Point b) const {
     const geom::Segment line{a, b};
@@ -61,9 +70,10 @@ struct Place {
 using Places = base::UpTo<Place, kRings.size() * kDirections>;
 
 // Places all round, the nearest first: those in sight, and those that are in sight from one of these. Some
-// lie straight ahead and back along the lane.
+// lie straight ahead and back along the wall beside it, else along the lane.
 Places places_around(const Near& near, Point here, std::span<const Lane> lanes) {
-  const double first = lanes.empty() ? 0.0 : geom::direction(lanes[0].piece.b - lanes[0].piece.a);
+  const double along = lanes.empty() ? 0.0 : geom::direction(lanes[0].piece.b - lanes[0].piece.a);
+  const double first = near.along_wall(here).value_or(along);
   Places out;
   Places hidden;
   for (const double away : kRings) {

@@ -99,7 +99,8 @@ Turn TurnTaker::take(const Percepts& percepts, const RobotList& robots, Offset w
   const bool is_free = time >= gives_until_ && time >= asks_until_ && time - since_ <= kStandsFor;
   if (robots.empty() || (is_free && percepts.shared_places.empty())) return {wanted, false};
   Situation now{percepts, robots, wanted, unit(wanted), radius, gap, speed, wants, {}};
-  if (wants) now.priority = {percepts.id, time < cornered_until_};
+  if (wants) now.priority = Priority(percepts.id);
+  if (wants && time < cornered_until_) now.priority = std::min(now.priority, cornered_);
   if (time < gives_until_ && next_ < count_) now.priority = std::min(now.priority, for_);
   if (gives_way(now, hear(now))) return step_aside(now, action);
   if (!asks(now)) return {wanted, false};
@@ -168,9 +169,11 @@ void TurnTaker::look_for_place(const Situation& now, const Wishes& wishes) {
   base::UpTo<Lane, 8> lanes;
   base::UpTo<Lane, 8> askers;
   base::UpTo<Lane, 16> others;
+  // Who makes way for the same one itself gets out of the way.
   for (const Heard& heard : wishes) {
-    lanes.add(heard.lane);
-    askers.add({{heard.from, heard.from}, heard.lane.reach});
+    const bool comes = is_in_way(now, heard);
+    if (comes || heard.priority != for_) lanes.add(heard.lane);
+    if (comes) askers.add({{heard.from, heard.from}, heard.lane.reach});
   }
   for (const percept::RobotReading& robot : now.robots) {
     const Point place = now.percepts.pose.point_at(robot.center);
@@ -180,7 +183,7 @@ void TurnTaker::look_for_place(const Situation& now, const Wishes& wishes) {
       way_aside(now.percepts.ground, now.here(), now.radius, {lanes.all(), askers.all(), others.all()});
   if (!way) {
     cornered_until_ = now.time() + kCornered;
-    for_ = {now.percepts.id, true};
+    cornered_ = for_ = for_.of_cornered();
     if (!now.wants)
       way = way_aside(now.percepts.ground, now.here(), now.radius, {lanes.all(), {}, others.all()});
   }

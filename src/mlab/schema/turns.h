@@ -15,13 +15,14 @@
 
 namespace mlab::schema {
 
-/// Who goes first where only one can: whoever has the lesser one. Who is cornered goes before all others,
-/// then the lower number; who wants nothing comes last.
+/// Who goes first where only one can: whoever has the lesser one. The lower number does; who is cornered by
+/// another one goes just before that; who wants nothing comes last.
 class Priority {
  public:
   Priority() = default;
-  Priority(base::RobotId robot, bool is_cornered) : value_(robot.value | (is_cornered ? 0U : kNotCornered)) {}
-
+  explicit Priority(base::RobotId robot) : value_(2 * robot.value + 1) {}
+  /// Of who can't make way for one that has this.
+  Priority of_cornered() const { return of_code(value_ & ~1U); }
   /// As a number below 2^24.
   static Priority of_code(std::uint32_t code) {
     Priority out;
@@ -30,14 +31,13 @@ class Priority {
   }
   std::uint32_t code() const { return value_; }
 
-  bool is_cornered() const { return (value_ & kNotCornered) == 0; }
-  /// Whose it is.
-  base::RobotId robot() const { return {value_ & (kNotCornered - 1)}; }
+  bool is_cornered() const { return (value_ & 1U) == 0; }
+  /// Whose it is; of who is cornered, whose way it can't make.
+  base::RobotId robot() const { return {value_ / 2}; }
   friend auto operator<=>(const Priority&, const Priority&) = default;
 
  private:
-  static constexpr std::uint32_t kNotCornered = 1U << 23;
-  std::uint32_t value_ = 2 * kNotCornered - 1;
+  std::uint32_t value_ = (1U << 24) - 1;
 };
 
 /// What a robot that can't go on tells those around it: where it wants to go, straight on, and how urgent
@@ -66,7 +66,7 @@ struct Turn {
 /// those in front of him tells where he wants to go. Who stands there and wants nothing more, or something
 /// else and comes after him, goes to the nearest place where he is in nobody's way, and asks those whom he
 /// meets there to make way in turn, as if he were the first one; he waits there until that one has passed.
-/// Who finds no such place is cornered: then the others make way for him.
+/// Who finds no such place is cornered: then the one that asked makes way for him.
 ///
 /// Trivially copyable, so it can be the state of a procedure.
 /// @source  Okumura, Machida, Defago, Tamura 2019, "Priority inheritance with backtracking for iterative
@@ -115,6 +115,7 @@ class TurnTaker {
   double gives_until_ = -1.0;     // way to others [s]
   double looked_ = -1e9;          // for a place to step aside to [s]
   double cornered_until_ = -1.0;  // [s]
+  Priority cornered_;             // until then
   Priority for_;                  // whom it makes way for
   std::uint32_t next_ = 0;        // corner of its way aside
   std::uint32_t count_ = 0;

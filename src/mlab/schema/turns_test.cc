@@ -94,27 +94,31 @@ class Turns : public testing::Test {
   double time_ = 10.0;
 };
 
-TEST(Priority, TheLowerNumberGoesFirstAndWhoIsCorneredBeforeAll) {
-  EXPECT_LT(Priority({1}, false), Priority({2}, false));
-  EXPECT_LT(Priority({2}, true), Priority({1}, false));
-  EXPECT_LT(Priority({9}, false), Priority()) << "who wants nothing";
-  EXPECT_EQ(Priority({7}, true).robot(), base::RobotId{7});
-  EXPECT_TRUE(Priority({7}, true).is_cornered());
+TEST(Priority, TheLowerNumberGoesFirstAndWhoItCornersBeforeIt) {
+  const Priority one({1});
+  const Priority two({2});
+  EXPECT_LT(one, two);
+  EXPECT_LT(two.of_cornered(), two);
+  EXPECT_LT(one, two.of_cornered());
+  EXPECT_LT(Priority({9}), Priority()) << "who wants nothing";
+  EXPECT_EQ(two.of_cornered().robot(), base::RobotId{2});
+  EXPECT_TRUE(two.of_cornered().is_cornered());
+  EXPECT_FALSE(two.is_cornered());
 }
 
 TEST(PassageWish, ComesOutAsItWasTold) {
-  for (const bool is_cornered : {false, true}) {
-    const percept::Request told = tell_wish({{3.0, 4.0}, {{12}, is_cornered}});
+  for (const Priority priority : {Priority({12}), Priority({12}).of_cornered()}) {
+    const percept::Request told = tell_wish({{3.0, 4.0}, priority});
     const auto wish = wish_in({{5}, told.object, told.object_class, told.place, 0.0});
     ASSERT_TRUE(wish);
     EXPECT_EQ(wish->to, (Point{3.0, 4.0}));
-    EXPECT_EQ(wish->priority, Priority({12}, is_cornered));
+    EXPECT_EQ(wish->priority, priority);
   }
   EXPECT_FALSE(wish_in({{5}, {17}, {}, {}, 0.0})) << "a thing";
 }
 
 TEST(PassageWish, IsNoPlaceOfAThing) {
-  const percept::Request told = tell_wish({{3.0, 4.0}, {{12}, false}});
+  const percept::Request told = tell_wish({{3.0, 4.0}, Priority({12})});
   const std::vector<percept::SharedPlace> places{{{5}, told.object, told.object_class, told.place, 0.0}};
   percept::Percepts percepts;
   percepts.shared_places = places;
