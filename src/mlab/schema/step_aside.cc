@@ -94,14 +94,18 @@ Places places_around(const Near& near, Point here, std::span<const Lane> lanes) 
   return out;
 }
 
-// Who stands very near to a body gets away from it, and first perhaps a little nearer, away from a wall.
+// Who stands very near to a body gets away from it, once it has got away from a wall.
 bool passes(std::span<const Lane> bodies, const PlannedWay& way) {
-  constexpr double kSlack = 0.1;  // [m]
+  constexpr double kCloser = 0.1;     // one goes past who stands, than one stays beside who comes [m]
+  constexpr double kFromWall = 0.15;  // at most [m]
+  constexpr double kSlack = 0.03;     // [m]
   const auto points = way.points();
+  const bool leaves_wall = points.size() > 2 && distance(points[0], points[1]) < kFromWall;
+  const std::size_t begin = leaves_wall ? 1 : 0;
   return std::ranges::all_of(bodies, [&](const Lane& body) {
     const Point middle = body.piece.a;
-    const double keep = std::min(body.reach, distance(points.front(), middle) - kSlack);
-    for (std::size_t i = 1; i < points.size(); ++i) {
+    const double keep = std::min(body.reach - kCloser, distance(points[begin], middle) - kSlack);
+    for (std::size_t i = begin + 1; i < points.size(); ++i) {
       if (distance(nearest_point({points[i - 1], points[i]}, middle), middle) < keep) return false;
     }
     return true;

@@ -1,5 +1,6 @@
 #include "mlab/schema/step_aside.h"
 
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,8 +17,9 @@ constexpr double kRadius = 0.2;
 constexpr double kReach = 0.65;
 
 percept::KnownGround ground_of(const std::vector<Segment>& walls) {
+  static std::uint64_t revision = 0x57e9a51de;
   percept::KnownGround out;
-  out.revision = 77 + walls.size();
+  out.revision = ++revision;
   out.walls = walls;
   out.bounds = {-100.0, -100.0, 100.0, 100.0};
   return out;
@@ -50,6 +52,15 @@ TEST(WayAside, LeadsAlongACorridorAwayFromWhoComes) {
   ASSERT_TRUE(way);
   EXPECT_GT(way->points().back().x, 3.2 + kReach);
   EXPECT_LT(way->points().back().x, 8.0);
+}
+
+TEST(WayAside, LeadsPastNobodyWhereThereIsNoRoom) {
+  // Beside each other at the walls of a corridor of 1 m.
+  const std::vector<Segment> walls{{{-30, -0.5}, {30, -0.5}}, {{-30, 0.5}, {30, 0.5}}};
+  const Asker asker({-0.2, -0.25});
+  const auto way = way_aside(ground_of(walls), {0.0, 0.25}, kRadius, asker.clear());
+  ASSERT_TRUE(way) << "though it first goes a little towards the other one, from the wall";
+  EXPECT_GT(way->points().back().x, 3.0);
 }
 
 TEST(WayAside, LeadsIntoABranchRoundACorner) {

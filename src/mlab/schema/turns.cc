@@ -92,10 +92,11 @@ Turn TurnTaker::take(const Percepts& percepts, const RobotList& robots, Offset w
   has_arrived_ = left <= 0.0 || (has_arrived_ && sequence_ == percepts.order.sequence);
   sequence_ = percepts.order.sequence;
   const bool wants = !has_arrived_ && dot(wanted, wanted) > kWantsMore * kWantsMore;
-  if (since_ > time || !wants || distance(percepts.pose.position, at_) > kRoom) {
-    at_ = percepts.pose.position;
-    since_ = time;
-  }
+  const Offset went = percepts.pose.position - at_;
+  const bool is_elsewhere = dot(went, went) > kRoom * kRoom;
+  // Who is carried along by others has come nowhere.
+  if (since_ > time || !wants || (is_elsewhere && dot(went, wanted) > 0.0)) since_ = time;
+  if (since_ == time || is_elsewhere) at_ = percepts.pose.position;
   const bool is_free = time >= gives_until_ && time >= asks_until_ && time - since_ <= kStandsFor;
   if (robots.empty() || (is_free && percepts.shared_places.empty())) return {wanted, false};
   Situation now{percepts, robots, wanted, unit(wanted), radius, gap, speed, wants, {}};

@@ -1,6 +1,7 @@
 #include "mlab/schema/turns.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ class Turns : public testing::Test {
       percepts.time = time_;
       percepts.pose = {robots_[i].at, 0.0};
       percepts.ground.walls = walls_;
-      percepts.ground.revision = walls_.empty() ? 0 : 40 + walls_.size();
+      percepts.ground.revision = walls_.empty() ? 0 : revision_;
       percepts.ground.bounds = {-100, -100, 100, 100};
       percepts.shared_places = told_;
       const auto seen = readings(i);
@@ -59,6 +60,11 @@ class Turns : public testing::Test {
     }
     told_ = told;
     time_ += 0.1;
+  }
+
+  static std::uint64_t next_revision() {
+    static std::uint64_t last = 0x7a4e5;
+    return ++last;
   }
 
   static base::RobotId id_of(std::size_t i) { return {static_cast<std::uint32_t>(i + 1)}; }
@@ -90,6 +96,7 @@ class Turns : public testing::Test {
 
   std::vector<Robot> robots_;
   std::vector<geom::Segment> walls_;
+  const std::uint64_t revision_ = next_revision();  // of them
   std::vector<percept::SharedPlace> told_;
   double time_ = 10.0;
 };
@@ -145,6 +152,18 @@ TEST_F(Turns, WhoStandsForSomeSecondsBeforeAnotherOneAsks) {
   EXPECT_EQ(wish(0)->priority.robot(), base::RobotId{1});
 }
 
+TEST_F(Turns, WhoIsCarriedAlongByOthersStandsAllTheSame) {
+  put({0, 0}, kEast);
+  put({0.9, 0}, kWest);
+  for (int i = 0; i < 55; ++i) {
+    cycle();
+    for (Robot& robot : robots_) robot.at.x -= 0.03;
+  }
+  ASSERT_TRUE(wish(0));
+  EXPECT_EQ(wish(0)->priority, Priority({1}));
+  EXPECT_FALSE(wish(1) && wish(1)->priority == Priority({2})) << "it gets on";
+}
+
 TEST_F(Turns, WhoHasArrivedMakesWayForAllAndTheLowerNumberForNone) {
   put({0, 0}, kNothing, 0.0);
   put({-0.9, 0}, kEast);
@@ -192,6 +211,17 @@ TEST_F(Turns, WhoMakesWayAsksForTheSameOne) {
   ASSERT_TRUE(wish(1));
   EXPECT_EQ(wish(1)->priority.robot(), base::RobotId{1});
   EXPECT_GT(robots_[2].turn.wanted.x, 0.0) << "it goes back, too";
+}
+
+// A corridor: who has arrived is between an earlier one and a later one that want past it.
+TEST_F(Turns, WhoIsCorneredByALaterOneDoesNotDriveAnEarlierOneBack) {
+  walls_ = {{{-30, -0.35}, {30, -0.35}}, {{-30, 0.35}, {30, 0.35}}};
+  put({0, 0}, kEast);
+  put({0.9, 0}, kNothing, 0.0);
+  put({1.8, 0}, kWest);
+  run(12.0);
+  EXPECT_EQ(robots_[0].turn.wanted, kEast);
+  EXPECT_GT(robots_[2].turn.wanted.x, 0.0);
 }
 
 TEST_F(Turns, WhoCanNotMakeWayIsMadeWayFor) {
