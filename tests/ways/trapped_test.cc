@@ -36,10 +36,21 @@ class Trapped : public testing::Test {
     run_ = begun_run(mission, patience, told_);
     ASSERT_NE(run_, nullptr);
     for (int i = 0; i < 10'000 && run_->step() != run::MissionRun::Progress::kOver; ++i) {
+      if (i % 5 == 0) explain();
     }
     for (const fleet::FleetRobot& robot : run_->fleet().robots()) {
       const binding::BodyState body = run_->world().body(robot.body);
       contacts_ += body.contacts + body.run_over;
+    }
+  }
+  /// What robots say of why they move as they do, as far as it is about others.
+  void explain() {
+    for (const fleet::FleetRobot& robot : run_->fleet().robots()) {
+      for (const std::string& line : run_->explain(robot)) {
+        for (const char* words : {"makes way for", "waits here until", "let it through"}) {
+          if (line.find(words) != std::string::npos) explained_ += line + "\n";
+        }
+      }
     }
   }
   bool is_done() const { return run_->state().outcome == mission::Outcome::kDone; }
@@ -52,6 +63,7 @@ class Trapped : public testing::Test {
 
   std::unique_ptr<run::MissionRun> run_;
   std::string told_;
+  std::string explained_;
   unsigned contacts_ = 0;
 };
 
@@ -159,6 +171,68 @@ TEST_F(Trapped, UnitsThatMeetAtADoorForOneTakeTurns) {
     EXPECT_TRUE(is_done()) << formation << "\n" << told_;
     EXPECT_EQ(contacts_, 0U) << formation;
   }
+}
+
+// A wall with a door of 0.8 m, or a passage of 10 m as wide.
+const std::string kDoor =
+    "MISSION-AREA 80 30\nCONTROL MEASURES:\nWALL a 40 0 40 14.6\nWALL b 40 15.4 40 30\n";
+const std::string kPassage =
+    "MISSION-AREA 80 30\nCONTROL MEASURES:\nWALL a 35 0 35 14.6\nWALL b 35 15.4 35 30\nWALL c 45 0 45 14.6\n"
+    "WALL d 45 15.4 45 30\nWALL e 35 14.6 45 14.6\nWALL f 35 15.4 45 15.4\n";
+
+TEST_F(Trapped, WhoHasArrivedInADoorMakesWayAndComesBack) {
+  for (const std::string& map : {kDoor, kPassage}) {
+    told_.clear();
+    carry_out(map,
+              "UNIT <p> r\nUNIT <q> r r r\nCOMMAND LIST:\n0. UNIT p START 10 15 AND UNIT q START 10 8 0 1\n"
+              "1. UNIT p OCCUPY 40.5 15\n2. UNIT q MOVETO 70 15 FORMATION Column\n"
+              "3. UNIT q VISIT 72 28 75 5 50 25\n");
+    EXPECT_TRUE(is_done()) << told_;
+    EXPECT_LT(distance(run_->fleet().pose(run_->fleet().robots()[0]).position, {40.5, 15}), 1.5);
+    EXPECT_EQ(contacts_, 0U);
+  }
+  for (const char* words : {"makes way for robot", "waits here until robot", "let it through"})
+    EXPECT_NE(explained_.find(words), std::string::npos) << words << " in\n" << explained_;
+}
+
+TEST_F(Trapped, WhoStandsInADoorWithoutACommandMakesWay) {
+  carry_out(
+      kDoor,
+      "UNIT <p> r r\nUNIT <q> r r r\nCOMMAND LIST:\n0. UNIT p START 39 15 1 0 AND UNIT q START 10 8 0 1\n"
+      "1. UNIT q MOVETO 70 15 FORMATION Column\n");
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts_, 0U);
+}
+
+TEST_F(Trapped, UnitsThatMeetInACorridorForOnePass) {
+  const std::string walls =
+      "MISSION-AREA 120 40\nCONTROL MEASURES:\nWALL a 30 19.65 90 19.65\nWALL b 30 20.35 90 20.35\nWALL c 30 "
+      "0 30 "
+      "19.65\nWALL d 30 20.35 30 40\nWALL e 90 0 90 19.65\nWALL f 90 20.35 90 40\n";
+  for (const char* robots : {"r", "r r", "r r r r"}) {
+    // In the corridor already, and in front of it.
+    for (const char* start : {"36", "15"}) {
+      told_.clear();
+      carry_out(
+          walls,
+          fmt::format(
+              "UNIT <a> {0}\nUNIT <b> {0}\nCOMMAND LIST:\n0. UNIT a START {1} 20 0.8 0 AND UNIT b START "
+              "105 20 0.8 0\n1. UNIT a MOVETO 105 20 FORMATION Column AND UNIT b MOVETO 15 20 "
+              "FORMATION Column\n",
+              robots, start));
+      EXPECT_TRUE(is_done()) << robots << " from " << start << "\n" << told_;
+      EXPECT_EQ(contacts_, 0U) << robots << " from " << start;
+    }
+  }
+}
+
+TEST_F(Trapped, ACorridorAsWideAsAWayMustBeIsPassed) {
+  carry_out(
+      "MISSION-AREA 120 40\nCONTROL MEASURES:\nWALL a 30 19.69 90 19.69\nWALL b 30 20.31 90 20.31\nWALL c 30 "
+      "0 30 "
+      "19.69\nWALL d 30 20.31 30 40\nWALL e 90 0 90 19.69\nWALL f 90 20.31 90 40\n",
+      "UNIT <a> r\nCOMMAND LIST:\n0. UNIT a START 15 20\n1. UNIT a MOVETO 105 20\n");
+  EXPECT_TRUE(is_done()) << told_;
 }
 
 TEST_F(Trapped, NobodyWaitsForEverForWhoCanNotCome) {

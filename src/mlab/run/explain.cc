@@ -10,6 +10,7 @@
 #include "mlab/run/mission_run.h"
 #include "mlab/schema/contracts.h"
 #include "mlab/schema/errands.h"
+#include "mlab/schema/turns.h"
 
 namespace mlab::run {
 namespace {
@@ -125,6 +126,25 @@ void add_errands(const fleet::Fleet& fleet, const fleet::FleetRobot& robot, std:
   for (const auto& [id, text] : taken) out.push_back(fmt::format("  robot {} has {}", id, text));
 }
 
+// That it waits to be let through, or makes way for another one.
+void add_turn(const fleet::Fleet& fleet, const fleet::FleetRobot& robot, std::vector<std::string>& out) {
+  constexpr double kHere = 0.2;  // [m]
+  const geom::Pose pose = fleet.pose(robot);
+  const auto wish = schema::wish_of(fleet.perceive_at(robot, pose, {}, 0.0), robot.id);
+  if (!wish) return;
+  const std::uint32_t first = wish->priority.robot().value;
+  const std::string there = fmt::format("({:.1f}, {:.1f})", wish->to.x, wish->to.y);
+  if (wish->priority.is_cornered())
+    out.push_back(
+        fmt::format("  can't make way for robot {}, and asks to be let through, towards {}", first, there));
+  else if (first == robot.id.value)
+    out.push_back(fmt::format("  asks those in its way to let it through, towards {}", there));
+  else if (distance(wish->to, pose.position) < kHere)
+    out.push_back(fmt::format("  waits here until robot {} has passed", first));
+  else
+    out.push_back(fmt::format("  makes way for robot {}, towards {}", first, there));
+}
+
 }  // namespace
 
 std::vector<std::string> MissionRun::explain(const fleet::FleetRobot& robot) const {
@@ -142,6 +162,7 @@ std::vector<std::string> MissionRun::explain(const fleet::FleetRobot& robot) con
   if (const std::string failsafe = fleet_->failsafe(robot); !failsafe.empty())
     out.front() = fmt::format("{}: `{}` acts, until another order or the stick; its program wants: {}", who,
                               failsafe, what_moves(robot));
+  add_turn(*fleet_, robot, out);
   add_errands(*fleet_, robot, out);
   add_nearest_disc(world(), at, robot.capabilities.radius, out);
   add_nearest_wall(world(), at, out);

@@ -25,7 +25,7 @@ Seen seen_along(const Neighbour& other, Offset along) {
   return {dot(other.place, along), dot(other.place, right), dot(other.velocity, along)};
 }
 
-/// Who stands is none who comes: StandOff is for him, and has an end.
+/// Who stands is none who comes: TurnTaker is for him.
 bool comes(const Seen& seen, const SideRoom& room) {
   return seen.ahead > 0.0 && seen.ahead < kAhead && seen.speed < -kMoves &&
          std::abs(seen.right) < std::max(seen.ahead, room.left + room.right);
@@ -92,36 +92,6 @@ WayMade make_way(Offset wanted, double radius, double gap, const SideRoom& room,
   const Offset right{along.y, -along.x};
   const double aside = room.right - radius - 2.0 * kWallGap;
   return {wanted + right * std::clamp(aside, -kAside * speed, kAside * speed), between};
-}
-
-void StandOff::look(geom::Point here, double time) {
-  constexpr double kRoom = 0.5;  // [m]
-  if (since_ <= time && distance(here, at_) <= kRoom) return;
-  at_ = here;
-  since_ = time;
-}
-
-Offset StandOff::step_back(Offset wanted, double time, double radius, double gap,
-                           std::span<const Neighbour> others) {
-  constexpr double kGoesBack = 4.0;     // [s]
-  constexpr double kFaceToFace = -0.5;  // cosine of the angle
-  const double speed = length(wanted);
-  if (!(speed > kMoves)) return wanted;
-  if (time >= until_ && time - since_ > kPatience) {
-    const Offset along = wanted * (1.0 / speed);
-    const auto stands_against = [&](const Neighbour& other) {
-      const Seen seen = seen_along(other, along);
-      return other.goes_first && seen.ahead > 0.0 &&
-             length(other.place) < radius + other.radius + 2.0 * gap &&
-             seen.ahead > 0.5 * length(other.place) && length(other.velocity) < 3.0 * kMoves &&
-             dot(other.looks, along) < kFaceToFace;
-    };
-    if (std::ranges::any_of(others, stands_against)) {
-      until_ = time + kGoesBack;
-      back_ = unit(along * -1.0 + Offset{along.y, -along.x});
-    }
-  }
-  return time < until_ ? back_ * (kBackwards * speed) : wanted;
 }
 
 }  // namespace mlab::schema

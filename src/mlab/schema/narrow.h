@@ -10,7 +10,6 @@ namespace mlab::schema {
 struct Neighbour {
   geom::Offset place;       ///< from the body [m]
   geom::Offset velocity;    ///< [m/s]
-  geom::Offset looks;       ///< where it heads, of length 1
   double radius = 0.2;      ///< [m]
   bool is_mate = false;     ///< of the same unit
   bool goes_first = false;  ///< where only one of the two can pass
@@ -60,27 +59,5 @@ struct WayMade {
 /// @param room     narrow
 WayMade make_way(geom::Offset wanted, double radius, double gap, const SideRoom& room,
                  std::span<const Neighbour> others);
-
-/// Ends what two robots wait for that each wait for the other one, where both want through a gap that lets
-/// one pass. Trivially copyable, so it can be the state of a procedure.
-class StandOff {
- public:
-  /// Where it is; once in each cycle.
-  void look(geom::Point here, double time);
-  /// Whether it has come nowhere for a while, or goes back.
-  bool is_in_one(double time) const { return time - since_ > kPatience || time < until_; }
-  /// Backwards for a while where it stands face to face with somebody who goes first; else what it wanted.
-  /// @param wanted  [m/s]
-  geom::Offset step_back(geom::Offset wanted, double time, double radius, double gap,
-                         std::span<const Neighbour> others);
-
- private:
-  static constexpr double kPatience = 5.0;  // [s]
-
-  geom::Point at_;
-  double since_ = 1e300;
-  double until_ = -1.0;
-  geom::Offset back_;  // where to, of length 1
-};
 
 }  // namespace mlab::schema

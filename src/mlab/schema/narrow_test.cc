@@ -15,11 +15,11 @@ constexpr double kGap = 0.6;
 
 // Someone ahead who comes, somewhat to the left.
 Neighbour coming() {
-  return {.place = {8.0, 0.2}, .velocity = {-3.0, 0.0}, .looks = {-1.0, 0.0}};
+  return {.place = {8.0, 0.2}, .velocity = {-3.0, 0.0}};
 }
 // A mate who goes the same way.
 Neighbour beside(Offset place) {
-  return {.place = place, .velocity = {3.0, 0.0}, .looks = {1.0, 0.0}, .is_mate = true};
+  return {.place = place, .velocity = {3.0, 0.0}, .is_mate = true};
 }
 
 WayMade made(SideRoom room, const std::vector<Neighbour>& others) {
@@ -75,31 +75,6 @@ TEST(MakeWay, WhereOnlyOnePassesSomebodyGoesBack) {
   other.goes_first = true;
   EXPECT_LT(made({0.4, 0.4}, {other}).wanted.x, 0.0);
   EXPECT_GT(made({0.8, 0.8}, {other}).wanted.x, 0.0) << "there is room for two";
-}
-
-TEST(StandOff, EndsWhereTheOtherOneGoesFirst) {
-  const Offset wanted{2.0, 0.0};
-  for (const bool goes_first : {false, true}) {
-    StandOff standoff;
-    const std::vector<Neighbour> others{
-        {.place = {0.8, 0.1}, .velocity = {}, .looks = {-1.0, 0.0}, .goes_first = goes_first}};
-    int back = 0;
-    for (int cycle = 0; cycle < 120; ++cycle) {
-      const double time = 0.1 * cycle;
-      standoff.look({10.0, 20.0}, time);
-      back += standoff.step_back(wanted, time, kRadius, kGap, others).x < 0.0 ? 1 : 0;
-    }
-    EXPECT_EQ(back > 0, goes_first);
-    EXPECT_LT(back, 90) << "not for ever";
-  }
-}
-
-TEST(StandOff, IsNoneForWhoMoves) {
-  StandOff standoff;
-  for (int cycle = 0; cycle < 120; ++cycle) {
-    standoff.look({0.2 * cycle, 0.0}, 0.1 * cycle);
-    EXPECT_FALSE(standoff.is_in_one(0.1 * cycle));
-  }
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ Surroundings::Surroundings(const percept::Percepts& percepts, const Spacing& spa
   add_obstacles();
   add_robots(seen);
   bar_robots();
+  bar_ends_of_walls();
 }
 
 // The edge of the area holds who is within it.
@@ -81,9 +82,21 @@ void Surroundings::add_walls() {
   }
 }
 
+// Where a ray hits a wall that is known stands no more than that wall; where it is tight that decides.
+bool Surroundings::is_known_wall(const percept::Obstacle& seen) const {
+  constexpr double kTight = 0.25;  // from the body to a wall [m]
+  constexpr double kOnIt = 0.01;   // [m]
+  if (wall_count_ == 0 || length(standing_[0].place) >= spacing_.radius + kTight) return false;
+  const Point hit = here_ + to_world(seen.center);
+  return std::ranges::any_of(std::span(walls_).first(wall_count_), [&](const Segment& wall) {
+    return distance(nearest_point(wall, hit), hit) < kOnIt;
+  });
+}
+
 void Surroundings::add_obstacles() {
   for (const percept::Obstacle& obstacle : obstacles_) {
     if (standing_.is_full()) break;
+    if (is_known_wall(obstacle)) continue;
     const double reach = obstacle.radius + spacing_.radius;
     if (obstacle.is_moving() || length(obstacle.center) - obstacle.radius > 0.5 * near_) continue;
     const Offset place = to_world(obstacle.center);
@@ -124,8 +137,37 @@ void Surroundings::bar_robots() {
   }
 }
 
-WayMade Surroundings::give_way(Offset wanted, StandOff& standoff) const {
-  standoff.look(here_, percepts_.time);
+bool Surroundings::hides_somebody(std::size_t which, Point end) const {
+  constexpr double kSame = 0.01;         // [m]
+  constexpr double kStraightOn = -0.99;  // cosine of the angle
+  const Segment& wall = walls_[which];
+  const Offset along = unit(wall.a == end ? wall.b - end : wall.a - end);
+  int others = 0;
+  for (std::size_t i = 0; i < wall_count_; ++i) {
+    if (i == which || distance(nearest_point(walls_[i], end), end) > kSame) continue;
+    ++others;
+    for (const Point far : {walls_[i].a, walls_[i].b}) {
+      if (distance(far, end) > kSame && dot(unit(far - end), along) < kStraightOn) return false;
+    }
+  }
+  return others < 2;
+}
+
+// Who goes among others may meet one whom it does not see yet, at the end of a wall: neither drives more than
+// half of what is between them at least.
+void Surroundings::bar_ends_of_walls() {
+  constexpr double kCrowd = 3.0;  // [m]
+  const bool is_among_others =
+      std::ranges::any_of(others_.all(), [](const Other& other) { return other.away < kCrowd; });
+  for (std::size_t i = 0; i < wall_count_ && is_among_others; ++i) {
+    for (const Point end : {walls_[i].a, walls_[i].b}) {
+      const double share = 0.5 * std::max(0.0, distance(end, here_) - spacing_.radius);
+      if (share < step_ && hides_somebody(i, end)) bars_.add({at_point(end - here_), 0.0, share});
+    }
+  }
+}
+
+WayMade Surroundings::give_way(Offset wanted) const {
   if (robots_.empty()) return {wanted, spacing_.gap};
   base::UpTo<Segment, 6> beside;
   base::UpTo<RoundThing, 12> rounds;
@@ -138,22 +180,18 @@ WayMade Surroundings::give_way(Offset wanted, StandOff& standoff) const {
     if (!obstacle.is_moving()) rounds.add({to_world(obstacle.center), obstacle.radius});
   }
   if (beside.size() + rounds.size() == 0) return {wanted, spacing_.gap};
-  return give_way_at(wanted, side_room(unit(wanted), beside.all(), rounds.all()), standoff);
+  return give_way_at(wanted, side_room(unit(wanted), beside.all(), rounds.all()));
 }
 
-WayMade Surroundings::give_way_at(Offset wanted, const SideRoom& room, StandOff& standoff) const {
-  const bool is_narrow = room.is_narrow(spacing_.radius, spacing_.gap);
+WayMade Surroundings::give_way_at(Offset wanted, const SideRoom& room) const {
+  if (!room.is_narrow(spacing_.radius, spacing_.gap)) return {wanted, spacing_.gap};
   base::UpTo<Neighbour, flow::Robots::kCapacity> met;
-  for (std::size_t i = 0; i < robots_.size() && (is_narrow || standoff.is_in_one(percepts_.time)); ++i) {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
     const percept::RobotReading& robot = robots_[i];
-    const geom::Vector looks{std::cos(robot.heading), std::sin(robot.heading), 0.0};
-    met.add({others_[i].place, others_[i].velocity, to_world(looks), robot.radius, robot.is_unit_mate,
+    met.add({others_[i].place, others_[i].velocity, robot.radius, robot.is_unit_mate,
              robot.id.value < percepts_.id.value});
   }
-  WayMade out{wanted, spacing_.gap};
-  if (is_narrow) out = make_way(wanted, spacing_.radius, spacing_.gap, room, met.all());
-  out.wanted = standoff.step_back(out.wanted, percepts_.time, spacing_.radius, spacing_.gap, met.all());
-  return out;
+  return make_way(wanted, spacing_.radius, spacing_.gap, room, met.all());
 }
 
 Offset Surroundings::clear_velocity(const WayMade& made, double fastest) const {

@@ -42,9 +42,9 @@ class Surroundings {
     return {cos_ * v.x + sin_ * v.y, cos_ * v.y - sin_ * v.x, 0.0};
   }
 
-  /// What a body wants that lets those pass whom it meets in a narrow place, and ends a stand-off there.
+  /// What a body wants that lets those pass whom it meets in a narrow place.
   /// @param wanted  [m/s]
-  WayMade give_way(geom::Offset wanted, StandOff& standoff) const;
+  WayMade give_way(geom::Offset wanted) const;
 
   /// The velocity nearest to the wanted one with which it meets nobody and drives into nothing.
   geom::Offset clear_velocity(const WayMade& made, double fastest) const;
@@ -58,10 +58,14 @@ class Surroundings {
 
   void add_edges();
   void add_walls();
+  bool is_known_wall(const percept::Obstacle& seen) const;
   void add_obstacles();
   void add_robots(SeenRobots& seen);
   void bar_robots();
-  WayMade give_way_at(geom::Offset wanted, const SideRoom& room, StandOff& standoff) const;
+  void bar_ends_of_walls();
+  /// Whether somebody may stand unseen behind that end of a wall: nothing goes straight on from it.
+  bool hides_somebody(std::size_t wall, geom::Point end) const;
+  WayMade give_way_at(geom::Offset wanted, const SideRoom& room) const;
 
   const percept::Percepts& percepts_;
   Spacing spacing_;

@@ -1,5 +1,6 @@
 #include "mlab/schema/surroundings.h"
 
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -30,12 +31,14 @@ class SurroundingsTest : public testing::Test {
     const flow::ListView<percept::Obstacle> obstacles(near, obstacles_);
     const flow::ListView<percept::RobotReading> robots(met, robots_);
     SeenRobots seen;
-    StandOff standoff;
-    const Surroundings around(percepts_, kSpacing, obstacles, robots, percepts_.pose.position, seen);
-    return around.clear_velocity(around.give_way(wanted, standoff), 5.0) * percepts_.cycle_duration;
+    const geom::Point before = percepts_.pose.position + came_from_;
+    const Surroundings around(percepts_, spacing_, obstacles, robots, before, seen);
+    return around.clear_velocity(around.give_way(wanted), 5.0) * percepts_.cycle_duration;
   }
 
   percept::Percepts percepts_;
+  Spacing spacing_ = kSpacing;
+  Offset came_from_;  // in the cycle before
   std::vector<percept::Obstacle> obstacles_;
   std::vector<percept::RobotReading> robots_;
 };
@@ -70,6 +73,37 @@ TEST_F(SurroundingsTest, NothingSolidIsDrivenInto) {
 TEST_F(SurroundingsTest, OfWhatIsBetweenTwoRobotsEachTakesHalf) {
   robots_.push_back({.id = {2}, .center = {1.2, 0, 0}, .radius = 0.5});  // 0.2 m between them
   EXPECT_LE(goes({0, 5}).y, 0.1);
+}
+
+// A corridor whose walls are known, and seen by rays besides, which take them for a little thicker.
+TEST_F(SurroundingsTest, WhereItIsTightOnlyTheWallsCountThatAreKnown) {
+  percepts_.ground.revision = 1;
+  const std::vector<geom::Segment> walls{{{99.28, 0}, {99.28, 100}}, {{100.72, 0}, {100.72, 100}}};
+  for (const double ahead : {0.0, 0.72, -0.72}) {
+    for (const double left : {0.72, -0.72}) obstacles_.push_back({.center = {ahead, left, 0}, .radius = 0.1});
+  }
+  EXPECT_LT(goes({0, 5}).y, 0.499) << "things that nobody knows of are kept clear of";
+  percepts_.ground.walls = walls;
+  EXPECT_NEAR(goes({0, 5}).y, 0.5, 1e-9);
+}
+
+// Somebody may come round it, and each drives half of what is between them.
+TEST_F(SurroundingsTest, AmongOthersTheEndOfAWallIsPassedSlowly) {
+  percepts_.ground.revision = 1;
+  spacing_.obstacle_gap = 0.0;
+  came_from_ = {0, -0.5};
+  const Offset end{-0.71, 0.3};
+  const geom::Point there = percepts_.pose.position + end;
+  const std::vector<geom::Segment> wall{{there, {there.x, 90}}};
+  const std::vector<geom::Segment> longer{{there, {there.x, 90}}, {there, {there.x, 20}}};
+  percepts_.ground.walls = wall;
+  const double half = 0.5 * (length(end) - kSpacing.radius);
+  EXPECT_GT(dot(goes({0, 5}), unit(end)), half) << "alone";
+  robots_.push_back({.id = {2}, .center = {-2.5, 0, 0}, .radius = 0.5});
+  EXPECT_LE(dot(goes({0, 5}), unit(end)), half + 1e-9);
+  EXPECT_GT(goes({0, 5}).y, 0.2);
+  percepts_.ground.walls = longer;
+  EXPECT_GT(goes({0, 5}).y, 0.45);
 }
 
 TEST_F(SurroundingsTest, TheAreaIsNotLeft) {
