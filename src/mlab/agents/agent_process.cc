@@ -22,6 +22,7 @@
 #include "mlab/agents/roster.h"
 #include "mlab/agents/signs_of_life.h"
 #include "mlab/agents/stop_state.h"
+#include "mlab/agents/seniority.h"
 #include "mlab/agents/topics.h"
 #include "mlab/robot/remote/agent.h"
 #include "mlab/robot/wire/arithmetic.h"
@@ -291,10 +292,19 @@ class AgentProcess {
 
   // Two that began at the same moment, or on networks that are one now, have not heard each other before: one
   // of a name is left, and both know which one.
-  std::optional<std::string> give_way() const {
+  std::optional<std::string> give_way() {
     const auto rival = roster_->rival_of_mine(settings_.name);
-    if (!rival || roster_->participant().guid() < rival->guid) return std::nullopt;
-    return name_is_taken(settings_, rival->host);
+    if (!rival) return std::nullopt;
+    const Clock::time_point now = Clock::now();
+    const Claimant own{roster_->participant().guid(), robot_remote::in_seconds(now - began_)};
+    if (!keeps_name(own, {rival->guid, rival->uptime + robot_remote::in_seconds(now - rival->heard)}))
+      return name_is_taken(settings_, rival->host);
+    if (std::exchange(told_rival_, rival->guid) != rival->guid)
+      settings_.log->add(fmt::format(
+          "another agent that is called `{}`, too, is there, on `{}`: this one keeps the name, and "
+          "that one has to end",
+          settings_.name, rival->host));
+    return std::nullopt;
   }
 
   void give_up_the_lost() {
@@ -373,9 +383,10 @@ class AgentProcess {
   Clock::time_point next_presence_;
   Load said_load_;
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
-  std::set<Key> greeted_;               // whose beginning was told
-  std::set<Key> parted_;                // and whose end
-  std::unique_ptr<Companion> vehicle_;  // null: it is no vehicle's
+  std::optional<dds::Guid> told_rival_;  // somebody of the same name who has been told of
+  std::set<Key> greeted_;                // whose beginning was told
+  std::set<Key> parted_;                 // and whose end
+  std::unique_ptr<Companion> vehicle_;   // null: it is no vehicle's
 };
 
 }  // namespace
@@ -401,8 +412,8 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   auto waiter = dds::Waiter::make();
   if (!waiter) return waiter.error();
   dds::Participant& participant = (*roster)->participant();
-  auto requests =
-      participant.reader(requests_topic(settings.name), dds::ChannelKind::kLockStepPercepts, *waiter);
+  auto requests = participant.reader(requests_topic(settings.name, participant.guid()),
+                                     dds::ChannelKind::kLockStepPercepts, *waiter);
   if (!requests) return requests.error();
   auto stops = participant.reader(kStopTopic, dds::ChannelKind::kEmergencyStop, *waiter);
   if (!stops) return stops.error();

@@ -35,8 +35,8 @@ std::expected<std::unique_ptr<DdsLink>, std::string> DdsLink::open(std::shared_p
   auto answers =
       roster->participant().reader(answers_topic(name, key), dds::ChannelKind::kLockStepPercepts, *waiter);
   if (!answers) return std::unexpected(answers.error());
-  auto requests =
-      roster->participant().writer(requests_topic(name), dds::ChannelKind::kLockStepPercepts, &*waiter);
+  auto requests = roster->participant().writer(requests_topic(name, agent.guid),
+                                               dds::ChannelKind::kLockStepPercepts, &*waiter);
   if (!requests) return std::unexpected(requests.error());
   std::shared_ptr<robot_remote::LiveLine> live;
   if (is_live) {

@@ -39,8 +39,9 @@ struct Member {
     dds::Guid guid;
     std::string host;
     Clock::time_point heard;
+    double uptime = 0.0;  ///< when it was heard, since it began [s]
   };
-  std::optional<Rival> rival;
+  std::optional<Rival> rival;  ///< may have gone since, see `rival_of`
 };
 
 /// How soon who goes is known to be silent.
@@ -55,6 +56,9 @@ inline constexpr std::chrono::seconds kSilencePatience(5);
 
 /// What may be the name of an agent: 1 to 64 letters, digits, `-`, `_`, `.`
 bool is_agent_name(std::string_view name);
+
+/// Somebody else of the same name who is there now.
+std::optional<Member::Rival> rival_of(const Member& member);
 
 /// Who is in a fleet, as seen from here. Has a thread of its own; may be used by any.
 class Roster {
@@ -97,6 +101,7 @@ class Roster {
   void take_sign_of_life(const dds::Arrival& arrival);
   void give_up_the_silent();
   Member* of(const dds::Guid& guid);
+  void forget_rival(const dds::Guid& guid);
   void set(Member& member, Member::State state);
 
   std::string fleet_;
