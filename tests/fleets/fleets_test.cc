@@ -127,6 +127,24 @@ TEST_F(Fleets, ANameIsTakenOnceOnAMachineWhateverNetworkItIsOn) {
       << second.errors();
 }
 
+TEST_F(Fleets, AnAgentThatHangsWhenItIsToEndEndsItsRobotsFirst) {
+  make_network(18);
+  Process north = net().host("north").start(
+      {MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "north", "--network",
+       net().host("north").address()},
+      {.environment = {{"XDG_STATE_HOME", kAgentState}, {"LD_PRELOAD", MLAB_HANGING_DDS}}});
+  ASSERT_TRUE(north.prints("waits for runs", kFleetPatience)) << north.output() << north.errors();
+  Process far = run(mission("patrol"), {"--speed", "4"});
+  ASSERT_TRUE(come_to_be(2)) << far.output();
+  ASSERT_TRUE(north.signal(SIGTERM));
+  EXPECT_TRUE(come_to_be(0));
+  EXPECT_EQ(north.errors().find("ended by force"), std::string::npos) << "robots end before that";
+  ASSERT_TRUE(north.wait(kFleetPatience)) << north.output();
+  EXPECT_NE(north.errors().find("mlab agent: has not ended"), std::string::npos) << north.errors();
+  far.signal(SIGTERM);
+  EXPECT_TRUE(far.wait(kFleetPatience));
+}
+
 TEST_F(Fleets, AMachineThatIsCutOffForAWhileIsWaitedFor) {
   make_network(8);
   const Process north = agent("north");

@@ -9,9 +9,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -20,9 +22,9 @@
 #include "mlab/agents/echo.h"
 #include "mlab/agents/missed.h"
 #include "mlab/agents/roster.h"
+#include "mlab/agents/seniority.h"
 #include "mlab/agents/signs_of_life.h"
 #include "mlab/agents/stop_state.h"
-#include "mlab/agents/seniority.h"
 #include "mlab/agents/topics.h"
 #include "mlab/robot/remote/agent.h"
 #include "mlab/robot/wire/arithmetic.h"
@@ -84,7 +86,11 @@ class AgentProcess {
 
   /// @errors  a sentence: it can't stay
   std::optional<std::string> serve(const std::stop_token& stop) {
-    const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
+    // By the thread that wants the end: this one may be held up in the network's library.
+    const std::stop_callback ends(stop, [this] {
+      end_robots();
+      waiter_.wake();
+    });
     life_->begin();
     Clock::time_point next_beat = Clock::now();
     if (const auto why = stop_file_.why_not_kept())
@@ -112,15 +118,21 @@ class AgentProcess {
       give_up_the_lost();
       forget_the_ended();
     }
+    end_robots();
     vehicle_.reset();
     life_.reset();
     static_cast<void>(presence_.end(settings_.name));
-    for (auto& [key, conversation] : conversations_) conversation->end();
     conversations_.clear();
     return problem;
   }
 
  private:
+  // By any thread.
+  void end_robots() {
+    const std::scoped_lock lock(conversations_mutex_);
+    for (auto& [key, conversation] : conversations_) conversation->end();
+  }
+
   // Asked by any thread.
   bool has_to_stand() const { return is_stopped_ || (settings_.must_stand && settings_.must_stand()); }
 
@@ -138,6 +150,7 @@ class AgentProcess {
         if (!is_conversation(arrival.key) || conversations_.size() >= kMostConversations) return;
         auto begun = begin(key);
         if (!begun) return;
+        const std::scoped_lock lock(conversations_mutex_);
         at = conversations_.emplace(key, std::move(begun)).first;
       }
       if (!at->second->add(arrival.body)) at->second->end();
@@ -216,7 +229,14 @@ class AgentProcess {
       if (one->has_ended() && parts_from(key))
         settings_.log->add(fmt::format("a run has gone, and {} with it", counted_robots(one->robot_count())));
     }
-    std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
+    std::vector<std::unique_ptr<Conversation>> ended;  // which may take a while
+    {
+      const std::scoped_lock lock(conversations_mutex_);
+      for (auto& [key, one] : conversations_) {
+        if (one->has_ended()) ended.push_back(std::move(one));
+      }
+      std::erase_if(conversations_, [](const auto& one) { return one.second == nullptr; });
+    }
     const auto is_over = [this](const Key& key) { return !conversations_.contains(key); };
     std::erase_if(greeted_, is_over);
     std::erase_if(parted_, is_over);
@@ -382,6 +402,7 @@ class AgentProcess {
   Clock::time_point began_ = Clock::now();
   Clock::time_point next_presence_;
   Load said_load_;
+  std::mutex conversations_mutex_;  // for who changes which there are, and for others than the agent's thread
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
   std::optional<dds::Guid> told_rival_;  // somebody of the same name who has been told of
   std::set<Key> greeted_;                // whose beginning was told
