@@ -145,6 +145,23 @@ TEST_F(Fleets, AnAgentThatHangsWhenItIsToEndEndsItsRobotsFirst) {
   EXPECT_TRUE(far.wait(kFleetPatience));
 }
 
+TEST_F(Fleets, ARunThatWasStoppedForTooLongSaysThatItWasGivenUp) {
+  make_network(17);
+  const Process north = agent("north");
+  Process far = run(mission("patrol"), {"--speed", "4"});
+  ASSERT_TRUE(come_to_be(2)) << far.output();
+  ASSERT_TRUE(far.signal(SIGSTOP));
+  ASSERT_TRUE(north.prints("a run has gone, and 2 robots with it", kFleetPatience)) << north.output();
+  std::this_thread::sleep_for(1s);
+  ASSERT_TRUE(far.signal(SIGCONT));
+  EXPECT_TRUE(
+      far.prints("the agent on `north` gave this run up, which itself stood still for", kFleetPatience))
+      << far.output() << far.errors();
+  EXPECT_EQ(far.output().find("has left the fleet"), std::string::npos) << far.output();
+  far.signal(SIGTERM);
+  EXPECT_TRUE(far.wait(kFleetPatience));
+}
+
 TEST_F(Fleets, AMachineThatIsCutOffForAWhileIsWaitedFor) {
   make_network(8);
   const Process north = agent("north");

@@ -74,6 +74,15 @@ void DdsLink::fail(std::string why) {
   if (failure_.empty()) failure_ = std::move(why);
 }
 
+// Whoever stood still himself hears of the others as if they had gone.
+std::string DdsLink::why_lost(std::string otherwise) const {
+  constexpr std::chrono::seconds kRecently(10);
+  const auto own = roster_->standstill();
+  if (!own || own->seconds < patience_with_silence() || Clock::now() - own->ended > kRecently)
+    return otherwise;
+  return fmt::format("gave this run up, which itself stood still for {:.0f} s", own->seconds);
+}
+
 bool DdsLink::is_cut() {
   return live_ && failure_.empty() && (!is_met() || silence() > 0.0);
 }
@@ -130,10 +139,13 @@ void DdsLink::look_after_agent() {
     fail("was started anew, and knows nothing of this run");
   else if (agent->state == Member::State::kGone) {
     const Clock::duration silence = Clock::now() - agent->heard;
-    if (agent->has_left || (!live_ && silence < kSilencePatience))
+    if (agent->has_left)
       fail("has left the fleet");
+    else if (!live_ && silence < kSilencePatience)
+      fail(why_lost("has left the fleet"));
     else if (!live_ || silence >= robot_remote::from_seconds(robot_remote::kLivePatience))
-      fail(fmt::format("was silent for {} s", std::chrono::floor<std::chrono::seconds>(silence).count()));
+      fail(why_lost(
+          fmt::format("was silent for {} s", std::chrono::floor<std::chrono::seconds>(silence).count())));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "mlab/agents/roster.h"
 
 #include <algorithm>
+#include <ctime>
 #include <utility>
 
 #include "mlab/agents/stop_state.h"
@@ -82,6 +83,7 @@ void Roster::listen(const std::stop_token& stop) {
     const std::vector<dds::Arrival> signs = life_ ? life_->take() : std::vector<dds::Arrival>();
     const std::vector<dds::Arrival> arrivals = reader_.take();
     const std::scoped_lock lock(mutex_);
+    note_standstill();
     for (const dds::Arrival& arrival : arrivals) take(arrival);
     for (const dds::Arrival& sign : signs) take_sign_of_life(sign);
     give_up_the_silent();
@@ -92,6 +94,20 @@ void Roster::listen(const std::stop_token& stop) {
 Member* Roster::of(const dds::Guid& guid) {
   const auto at = std::ranges::find_if(members_, [&](const auto& one) { return one.second.guid == guid; });
   return at == members_.end() ? nullptr : &at->second;
+}
+
+void Roster::note_standstill() {
+  constexpr double kLeast = 2.0;  // [s]
+  timespec now{};
+  ::clock_gettime(CLOCK_BOOTTIME, &now);
+  const double seconds = static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+  const double passed = seconds - std::exchange(looked_, seconds);
+  if (passed >= kLeast && passed < seconds) standstill_ = {passed, Clock::now()};
+}
+
+std::optional<Roster::Standstill> Roster::standstill() const {
+  const std::scoped_lock lock(mutex_);
+  return standstill_;
 }
 
 void Roster::forget_rival(const dds::Guid& guid) {

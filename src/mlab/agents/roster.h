@@ -86,6 +86,13 @@ class Roster {
     Clock::time_point heard;
   };
   std::optional<Sighting> sight(std::string_view name) const;
+  /// This process did not run for a while: it was stopped, or its machine slept. Others gave it up meanwhile.
+  struct Standstill {
+    double seconds = 0.0;
+    Clock::time_point ended;
+  };
+  /// The last one that was long enough to be told.
+  std::optional<Standstill> standstill() const;
   /// Somebody else than this participant who is there under that name now.
   std::optional<Member::Rival> rival_of_mine(std::string_view name) const;
   /// Waits until something holds of those who are there, and asks again whenever somebody comes, goes or
@@ -100,6 +107,7 @@ class Roster {
   void take(const dds::Arrival& arrival);
   void take_sign_of_life(const dds::Arrival& arrival);
   void give_up_the_silent();
+  void note_standstill();
   Member* of(const dds::Guid& guid);
   void forget_rival(const dds::Guid& guid);
   void set(Member& member, Member::State state);
@@ -112,6 +120,8 @@ class Roster {
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::map<std::string, Member, std::less<>> members_;
+  std::optional<Standstill> standstill_;
+  double looked_ = 0.0;    // [s], of a clock that goes on while the machine sleeps
   bool has_news_ = false;  // that those who wait are to look at
   std::jthread thread_;
 };
