@@ -271,6 +271,7 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
   out.gate = std::move(manner.gate);
+  out.machines = std::move(manner.machines);
   return out;
 }
 
@@ -455,9 +456,9 @@ int run_console(const RunOptions& options, const std::string& journal) {
   return serve(options, std::move(settings), look, *server);
 }
 
-// The mission and its project are the run's.
 constexpr std::size_t kLongestReason = 400;  // characters
 
+// The mission and its project are the run's.
 int resume_run(RunOptions options) {
   const auto found = find_resumable(options);
   if (!found) return usage_error("--resume: " + found.error());
