@@ -96,6 +96,27 @@ class Resumed : public testing::Test {
   fs::path folder_;
 };
 
+/// A machine that carries robots: another process here. Ends with this.
+class Agent {
+ public:
+  Agent(const std::string& fleet, const fs::path& state) : process_(::fork()) {
+    if (process_ != 0) return;
+    ::setenv("XDG_STATE_HOME", state.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    ::execl(MLAB_COMMAND, "mlab", "agent", "--fleet", fleet.c_str(), "--name", "north", nullptr);
+    ::_exit(127);
+  }
+  Agent(const Agent&) = delete;
+  Agent& operator=(const Agent&) = delete;
+  ~Agent() {
+    if (process_ < 0) return;
+    ::kill(process_, SIGTERM);
+    ::waitpid(process_, nullptr, 0);
+  }
+
+ private:
+  pid_t process_;
+};
+
 bool is_paused(const Operator& anna) {
   return anna.status().mode() == Status::PAUSED;
 }
@@ -162,6 +183,42 @@ TEST_F(Resumed, ARunEndsAsIfNobodyHadKilledIt) {
   const std::vector<fs::path> recordings = files(".mcap");
   ASSERT_EQ(recordings.size(), 2U) << "the killed run's was gone on with";
   for (const fs::path& one : recordings) EXPECT_EQ(replay(one), 0) << text_of(folder_ / "replay.txt");
+}
+
+TEST_F(Resumed, ARunInRealTimeIsNotSaidToGoOn) {
+  const std::string fleet = fmt::format("resumed-{}", ::getpid());
+  const Agent agent(fleet, folder_ / "state");
+  {
+    Server server(setup({"far.mdl", "--robots", "fleet", "--fleet", fleet, "--real-time"}));
+    ASSERT_NE(server.port(), 0) << server.printed();
+    Operator anna(server);
+    ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; }));
+    ASSERT_TRUE(anna.control(Control::EXECUTE));
+    ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 1.0; }));
+    server.kill();
+  }
+  const std::string truth =
+      "its robots were elsewhere, in real time: what they would do next is not known here";
+  {
+    Server server(setup({"far.mdl"}));
+    ASSERT_NE(server.port(), 0) << server.printed();
+    EXPECT_TRUE(server.prints("and does not go on: " + truth)) << server.printed();
+    EXPECT_EQ(server.end(), 0) << server.printed();
+  }
+  {
+    Server server(setup({}));
+    ASSERT_NE(server.port(), 0) << server.printed();
+    Operator anna(server);
+    ASSERT_TRUE(anna.wait([&] { return anna.journal().unfinished_size() == 1; }));
+    EXPECT_EQ(anna.journal().unfinished(0).why_not(), truth);
+    EXPECT_EQ(server.end(), 0) << server.printed();
+  }
+  Server server(resume());
+  ASSERT_NE(server.port(), 0) << server.printed();
+  EXPECT_TRUE(server.prints("and that run does not go on: " + truth)) << server.printed();
+  Operator anna(server);
+  EXPECT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; }));
+  EXPECT_TRUE(anna.has_log("Anna: execute"));
 }
 
 TEST_F(Resumed, ThereIsNothingToGoOnWithWhereNothingWasStarted) {

@@ -47,10 +47,14 @@ class Fleets : public ::testing::Test {
         network::NetworkSetup{.seed = seed, .hosts = {{"base"}, {"north"}, {"south"}}});
   }
   /// What it keeps is on its host: another test's agents have the same names.
-  network::Process agent(const std::string& host, const std::string& fleet = "alpha") {
-    network::Process out = net().host(host).start(
-        {MLAB_COMMAND, "agent", "--fleet", fleet, "--name", host, "--network", net().host(host).address()},
+  network::Process called(const std::string& name, const std::string& host,
+                          const std::string& fleet = "alpha") {
+    return net().host(host).start(
+        {MLAB_COMMAND, "agent", "--fleet", fleet, "--name", name, "--network", net().host(host).address()},
         {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+  }
+  network::Process agent(const std::string& host, const std::string& fleet = "alpha") {
+    network::Process out = called(host, host, fleet);
     EXPECT_TRUE(out.prints("waits for runs", kFleetPatience)) << out.output() << out.errors();
     return out;
   }

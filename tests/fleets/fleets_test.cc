@@ -51,13 +51,8 @@ TEST_F(Fleets, RobotsOnTwoMachinesGiveTheReportOfTheEmbeddedRunThoughPacketsAreL
 
 TEST_F(Fleets, OfTwoAgentsOfOneNameThatBeginAtTheSameMomentOneIsLeft) {
   make_network(12);
-  const auto begin = [&](const std::string& host) {
-    return net().host(host).start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "same", "--network",
-                                   net().host(host).address()},
-                                  {.environment = {{"XDG_STATE_HOME", kAgentState}}});
-  };
-  Process north = begin("north");
-  Process south = begin("south");
+  Process north = called("same", "north");
+  Process south = called("same", "south");
   std::vector<Process*> ended;
   for (const auto last = network::Clock::now() + kFleetPatience;
        ended.empty() && network::Clock::now() < last;) {
@@ -71,6 +66,100 @@ TEST_F(Fleets, OfTwoAgentsOfOneNameThatBeginAtTheSameMomentOneIsLeft) {
       << ended[0]->errors();
   Process& left = ended[0] == &north ? south : north;
   EXPECT_FALSE(left.wait(3s)) << left.output() << left.errors();
+}
+
+TEST_F(Fleets, OfTwoOfOneNameThatMeetLateTheLaterOneLeavesAndMeanwhileIsLeftOut) {
+  make_network(15);
+  Process north = called("same", "north");
+  ASSERT_TRUE(north.prints("waits for runs", kFleetPatience)) << north.output() << north.errors();
+  net().cut(net().host("north"), net().host("south"));
+  std::this_thread::sleep_for(5s);
+  Process south = called("same", "south");
+  ASSERT_TRUE(south.prints("waits for runs", kFleetPatience)) << "nobody has told it" << south.errors();
+  const std::string first_counts = "call themselves `same`, and have not found each other: that on `north`";
+  const std::string second_counts = "call themselves `same`, and have not found each other: that on `south`";
+
+  Process list = base().start({MLAB_COMMAND, "fleet", "alpha", "--network", base().address()});
+  ASSERT_TRUE(list.wait(kFleetPatience));
+  EXPECT_TRUE(list.output().find(first_counts) != std::string::npos ||
+              list.output().find(second_counts) != std::string::npos)
+      << list.output() << list.errors();
+  Process stops = base().start({MLAB_COMMAND, "fleet", "alpha", "--network", base().address(), "--stop"});
+  EXPECT_EQ(stops.wait(kFleetPatience).value().words(), "exit status 1") << stops.output();
+  EXPECT_NE(stops.errors().find("two agents call themselves `same`"), std::string::npos) << stops.errors();
+  for (Process* one : {&north, &south}) EXPECT_TRUE(one->prints("EMERGENCY STOP by", kFleetPatience));
+  Process goes = base().start({MLAB_COMMAND, "fleet", "alpha", "--network", base().address(), "--release"});
+  EXPECT_TRUE(goes.wait(kFleetPatience));
+  for (Process* one : {&north, &south}) EXPECT_TRUE(one->prints("was released by", kFleetPatience));
+
+  Process far = run(mission("patrol"), {"--speed", "20"});
+  EXPECT_TRUE(far.prints("two agents call themselves `same`", kFleetPatience))
+      << far.output() << far.errors();
+  ASSERT_TRUE(far.wait(kFleetPatience));
+  EXPECT_EQ(embedded_report("patrol").dump(2), but_for_its_cost(report()).dump(2));
+  const auto count = [](const Process& one) {
+    return one.output().find("a run has begun to talk") == std::string::npos ? 0 : 1;
+  };
+  EXPECT_EQ(count(north) + count(south), 1) << north.output() << south.output();
+
+  net().join(net().host("north"), net().host("south"));
+  const auto ending = south.wait(kFleetPatience);
+  ASSERT_TRUE(ending) << south.output() << north.output();
+  EXPECT_EQ(ending->words(), "exit status 2");
+  EXPECT_NE(south.errors().find("the fleet `alpha` has an agent `same` already, on `north`"),
+            std::string::npos)
+      << south.errors();
+  EXPECT_TRUE(north.prints("another agent that is called `same`, too, is there, on `south`", kFleetPatience))
+      << north.output();
+  EXPECT_FALSE(north.wait(1s)) << north.errors();
+}
+
+TEST_F(Fleets, ANameIsTakenOnceOnAMachineWhateverNetworkItIsOn) {
+  make_network(16);
+  const Process north = agent("north");
+  Process second = net().host("north").start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "north"},
+                                             {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+  const auto ending = second.wait(kFleetPatience);
+  ASSERT_TRUE(ending) << second.output();
+  EXPECT_EQ(ending->words(), "exit status 2");
+  EXPECT_NE(second.errors().find("`north` of the fleet `alpha` runs on this machine already (process "),
+            std::string::npos)
+      << second.errors();
+}
+
+TEST_F(Fleets, AnAgentThatHangsWhenItIsToEndEndsItsRobotsFirst) {
+  make_network(18);
+  Process north = net().host("north").start(
+      {MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "north", "--network",
+       net().host("north").address()},
+      {.environment = {{"XDG_STATE_HOME", kAgentState}, {"LD_PRELOAD", MLAB_HANGING_DDS}}});
+  ASSERT_TRUE(north.prints("waits for runs", kFleetPatience)) << north.output() << north.errors();
+  Process far = run(mission("patrol"), {"--speed", "4"});
+  ASSERT_TRUE(come_to_be(2)) << far.output();
+  ASSERT_TRUE(north.signal(SIGTERM));
+  EXPECT_TRUE(come_to_be(0));
+  EXPECT_EQ(north.errors().find("ended by force"), std::string::npos) << "robots end before that";
+  ASSERT_TRUE(north.wait(kFleetPatience)) << north.output();
+  EXPECT_NE(north.errors().find("mlab agent: has not ended"), std::string::npos) << north.errors();
+  far.signal(SIGTERM);
+  EXPECT_TRUE(far.wait(kFleetPatience));
+}
+
+TEST_F(Fleets, ARunThatWasStoppedForTooLongSaysThatItWasGivenUp) {
+  make_network(17);
+  const Process north = agent("north");
+  Process far = run(mission("patrol"), {"--speed", "4"});
+  ASSERT_TRUE(come_to_be(2)) << far.output();
+  ASSERT_TRUE(far.signal(SIGSTOP));
+  ASSERT_TRUE(north.prints("a run has gone, and 2 robots with it", kFleetPatience)) << north.output();
+  std::this_thread::sleep_for(1s);
+  ASSERT_TRUE(far.signal(SIGCONT));
+  EXPECT_TRUE(
+      far.prints("the agent on `north` gave this run up, which itself stood still for", kFleetPatience))
+      << far.output() << far.errors();
+  EXPECT_EQ(far.output().find("has left the fleet"), std::string::npos) << far.output();
+  far.signal(SIGTERM);
+  EXPECT_TRUE(far.wait(kFleetPatience));
 }
 
 TEST_F(Fleets, AMachineThatIsCutOffForAWhileIsWaitedFor) {
@@ -197,8 +286,7 @@ TEST_F(Fleets, OfDifferentNamesDontHearEachOther) {
 TEST_F(Fleets, ANameIsTakenOnce) {
   make_network(12);
   const Process north = agent("north");
-  Process second = net().host("south").start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "north",
-                                              "--network", net().host("south").address()});
+  Process second = called("north", "south");
   const auto ending = second.wait(kFleetPatience);
   ASSERT_TRUE(ending);
   EXPECT_EQ(ending->words(), "exit status 2");

@@ -194,6 +194,23 @@ TEST_F(Vehicles, ObeyTheEmergencyStop) {
   EXPECT_TRUE(far.wait(kFleetPatience));
 }
 
+TEST_F(Vehicles, OfTwoOfOneNameThatHaveNotFoundEachOtherOneIsDriven) {
+  make_network(77);
+  net().cut(net().host("north"), net().host("south"));
+  const Process first = vehicle("north", "veh-1", "8,12,0");
+  const Process other = vehicle("south", "veh-1", "8,12,0");
+  const Process second = vehicle("south", "veh-2", "8,18,0");
+  const Process agent = this->agent("south");
+  Process far = cross();
+  EXPECT_TRUE(far.prints("two agents call themselves `veh-1`", kFleetPatience)) << far.output();
+  EXPECT_TRUE(second.prints("a run drives it", kFleetPatience)) << far.output();
+  ASSERT_FALSE(far.wait(2s)) << far.output();
+  const auto is_driven = [](const Process& one) { return one.output().contains("a run drives it"); };
+  EXPECT_NE(is_driven(first), is_driven(other)) << first.output() << other.output();
+  far.signal(SIGTERM);
+  EXPECT_TRUE(far.wait(kFleetPatience));
+}
+
 TEST_F(Vehicles, AreAskedForByName) {
   make_network(75);
   const Process first = vehicle("north", "veh-1", "8,12,0");

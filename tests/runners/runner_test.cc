@@ -566,7 +566,7 @@ TEST(RobotsAtAgents, OfAnotherVersionAreRefused) {
   const auto problem = agent.open(kSeed, "other");
   ASSERT_TRUE(problem);
   EXPECT_EQ(*problem,
-            "the agent on `alder` is missionlab test (protocol 1), and this is other (protocol 1): install "
+            "the agent on `alder` is missionlab test (protocol 2), and this is other (protocol 2): install "
             "the same");
   EXPECT_NE(agent.failure(), "");
 }

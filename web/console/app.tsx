@@ -17,6 +17,7 @@ import {
   SessionContext,
   useIsElsewhen,
   useIsRecording,
+  useLayout,
   usePart,
   useReading,
   useSession,
@@ -84,6 +85,9 @@ function Work() {
   const project = usePart("project");
   const welcome = usePart("welcome");
   const isNarrow = useUi("room").width < kNarrow;
+  const { docks } = useLayout();
+  // There a panel lies over the map, and its head is to be read and pressed: what comes lies over its foot.
+  const isOverPanel = isNarrow && (docks.left.open || docks.right.open);
   // What a recording was made from is in it, and no file of the project.
   const isRecording = useIsRecording();
   const hasMap = welcome !== null && project !== null && (project.mission !== "" || isRecording);
@@ -117,6 +121,11 @@ function Work() {
         </main>
         <Dock side="right" />
         <Rail side="right" />
+        {isOverPanel && (
+          <div className="over-panel">
+            <Banners />
+          </div>
+        )}
       </div>
       <Dock side="bottom" />
       <TimeLine />
@@ -124,7 +133,7 @@ function Work() {
       {isNarrow && (
         <div className="over-page">
           <Questions />
-          <Banners />
+          {!isOverPanel && <Banners />}
         </div>
       )}
     </>

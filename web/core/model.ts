@@ -19,6 +19,7 @@ import {
   type Journal,
   type Log,
   type Log_Entry,
+  type Machines,
   type Moment,
   type OtherFuture,
   type Plan,
@@ -72,6 +73,8 @@ export interface Parts {
   failsafes: readonly Failsafes_Row[];
   /** What is looked at and signed before the mission moves vehicles; null: the server does not say. */
   preflight: Preflight | null;
+  /** Who is in the fleet that carries the robots; null: none does. */
+  machines: Machines | null;
   /** What may be tried with them. */
   failsafeBounds: Failsafes_Bounds | null;
   /** How its rows stand for robots that are watched for it, by id; announced at most ten times a second. */
@@ -160,6 +163,7 @@ export class Model extends Store<Parts> {
       failsafes: [],
       failsafeBounds: null,
       preflight: null,
+      machines: null,
       standings: new Map(),
       timeLine: null,
       bookmarks: null,
@@ -245,6 +249,7 @@ export class Model extends Store<Parts> {
       case "bookmarks":
       case "moment":
       case "preflight":
+      case "machines":
         this.set(body.case, body.value);
         break;
       case "otherFuture":
@@ -330,6 +335,7 @@ export class Model extends Store<Parts> {
       this.robots.clear();
       this.set("log", []);
       this.set("timeLine", null);
+      this.set("machines", null);
       this.set("bookmarks", null);
       this.set("questions", []);
       this.set("selection", kNothing);

@@ -4,6 +4,7 @@ import { type ToBrowser, ToBrowserSchema, ToServerSchema } from "../generated/ml
 
 export * from "../generated/mlab/console_bookmarks_pb.ts";
 export * from "../generated/mlab/console_futures_pb.ts";
+export * from "../generated/mlab/console_machines_pb.ts";
 export * from "../generated/mlab/console_map_pb.ts";
 export * from "../generated/mlab/console_orders_pb.ts";
 export * from "../generated/mlab/console_pb.ts";

@@ -9,9 +9,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -20,6 +22,7 @@
 #include "mlab/agents/echo.h"
 #include "mlab/agents/missed.h"
 #include "mlab/agents/roster.h"
+#include "mlab/agents/seniority.h"
 #include "mlab/agents/signs_of_life.h"
 #include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
@@ -83,7 +86,11 @@ class AgentProcess {
 
   /// @errors  a sentence: it can't stay
   std::optional<std::string> serve(const std::stop_token& stop) {
-    const std::stop_callback wakes(stop, [this] { waiter_.wake(); });
+    // By the thread that wants the end: this one may be held up in the network's library.
+    const std::stop_callback ends(stop, [this] {
+      end_robots();
+      waiter_.wake();
+    });
     life_->begin();
     Clock::time_point next_beat = Clock::now();
     if (const auto why = stop_file_.why_not_kept())
@@ -111,15 +118,21 @@ class AgentProcess {
       give_up_the_lost();
       forget_the_ended();
     }
+    end_robots();
     vehicle_.reset();
     life_.reset();
     static_cast<void>(presence_.end(settings_.name));
-    for (auto& [key, conversation] : conversations_) conversation->end();
     conversations_.clear();
     return problem;
   }
 
  private:
+  // By any thread.
+  void end_robots() {
+    const std::scoped_lock lock(conversations_mutex_);
+    for (auto& [key, conversation] : conversations_) conversation->end();
+  }
+
   // Asked by any thread.
   bool has_to_stand() const { return is_stopped_ || (settings_.must_stand && settings_.must_stand()); }
 
@@ -137,6 +150,7 @@ class AgentProcess {
         if (!is_conversation(arrival.key) || conversations_.size() >= kMostConversations) return;
         auto begun = begin(key);
         if (!begun) return;
+        const std::scoped_lock lock(conversations_mutex_);
         at = conversations_.emplace(key, std::move(begun)).first;
       }
       if (!at->second->add(arrival.body)) at->second->end();
@@ -215,7 +229,14 @@ class AgentProcess {
       if (one->has_ended() && parts_from(key))
         settings_.log->add(fmt::format("a run has gone, and {} with it", counted_robots(one->robot_count())));
     }
-    std::erase_if(conversations_, [](const auto& one) { return one.second->has_ended(); });
+    std::vector<std::unique_ptr<Conversation>> ended;  // which may take a while
+    {
+      const std::scoped_lock lock(conversations_mutex_);
+      for (auto& [key, one] : conversations_) {
+        if (one->has_ended()) ended.push_back(std::move(one));
+      }
+      std::erase_if(conversations_, [](const auto& one) { return one.second == nullptr; });
+    }
     const auto is_over = [this](const Key& key) { return !conversations_.contains(key); };
     std::erase_if(greeted_, is_over);
     std::erase_if(parted_, is_over);
@@ -291,10 +312,19 @@ class AgentProcess {
 
   // Two that began at the same moment, or on networks that are one now, have not heard each other before: one
   // of a name is left, and both know which one.
-  std::optional<std::string> give_way() const {
+  std::optional<std::string> give_way() {
     const auto rival = roster_->rival_of_mine(settings_.name);
-    if (!rival || roster_->participant().guid() < rival->guid) return std::nullopt;
-    return name_is_taken(settings_, rival->host);
+    if (!rival) return std::nullopt;
+    const Clock::time_point now = Clock::now();
+    const Claimant own{roster_->participant().guid(), robot_remote::in_seconds(now - began_)};
+    if (!keeps_name(own, {rival->guid, rival->uptime + robot_remote::in_seconds(now - rival->heard)}))
+      return name_is_taken(settings_, rival->host);
+    if (std::exchange(told_rival_, rival->guid) != rival->guid)
+      settings_.log->add(fmt::format(
+          "another agent that is called `{}`, too, is there, on `{}`: this one keeps the name, and "
+          "that one has to end",
+          settings_.name, rival->host));
+    return std::nullopt;
   }
 
   void give_up_the_lost() {
@@ -372,10 +402,12 @@ class AgentProcess {
   Clock::time_point began_ = Clock::now();
   Clock::time_point next_presence_;
   Load said_load_;
+  std::mutex conversations_mutex_;  // for who changes which there are, and for others than the agent's thread
   std::map<Key, std::unique_ptr<Conversation>> conversations_;
-  std::set<Key> greeted_;               // whose beginning was told
-  std::set<Key> parted_;                // and whose end
-  std::unique_ptr<Companion> vehicle_;  // null: it is no vehicle's
+  std::optional<dds::Guid> told_rival_;  // somebody of the same name who has been told of
+  std::set<Key> greeted_;                // whose beginning was told
+  std::set<Key> parted_;                 // and whose end
+  std::unique_ptr<Companion> vehicle_;   // null: it is no vehicle's
 };
 
 }  // namespace
@@ -401,8 +433,8 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   auto waiter = dds::Waiter::make();
   if (!waiter) return waiter.error();
   dds::Participant& participant = (*roster)->participant();
-  auto requests =
-      participant.reader(requests_topic(settings.name), dds::ChannelKind::kLockStepPercepts, *waiter);
+  auto requests = participant.reader(requests_topic(settings.name, participant.guid()),
+                                     dds::ChannelKind::kLockStepPercepts, *waiter);
   if (!requests) return requests.error();
   auto stops = participant.reader(kStopTopic, dds::ChannelKind::kEmergencyStop, *waiter);
   if (!stops) return stops.error();

@@ -35,8 +35,8 @@ std::expected<std::unique_ptr<DdsLink>, std::string> DdsLink::open(std::shared_p
   auto answers =
       roster->participant().reader(answers_topic(name, key), dds::ChannelKind::kLockStepPercepts, *waiter);
   if (!answers) return std::unexpected(answers.error());
-  auto requests =
-      roster->participant().writer(requests_topic(name), dds::ChannelKind::kLockStepPercepts, &*waiter);
+  auto requests = roster->participant().writer(requests_topic(name, agent.guid),
+                                               dds::ChannelKind::kLockStepPercepts, &*waiter);
   if (!requests) return std::unexpected(requests.error());
   std::shared_ptr<robot_remote::LiveLine> live;
   if (is_live) {
@@ -72,6 +72,15 @@ bool DdsLink::is_met() const {
 
 void DdsLink::fail(std::string why) {
   if (failure_.empty()) failure_ = std::move(why);
+}
+
+// Whoever stood still himself hears of the others as if they had gone.
+std::string DdsLink::why_lost(std::string otherwise) const {
+  constexpr std::chrono::seconds kRecently(10);
+  const auto own = roster_->standstill();
+  if (!own || own->seconds < patience_with_silence() || Clock::now() - own->ended > kRecently)
+    return otherwise;
+  return fmt::format("gave this run up, which itself stood still for {:.0f} s", own->seconds);
 }
 
 bool DdsLink::is_cut() {
@@ -130,10 +139,13 @@ void DdsLink::look_after_agent() {
     fail("was started anew, and knows nothing of this run");
   else if (agent->state == Member::State::kGone) {
     const Clock::duration silence = Clock::now() - agent->heard;
-    if (agent->has_left || (!live_ && silence < kSilencePatience))
+    if (agent->has_left)
       fail("has left the fleet");
+    else if (!live_ && silence < kSilencePatience)
+      fail(why_lost("has left the fleet"));
     else if (!live_ || silence >= robot_remote::from_seconds(robot_remote::kLivePatience))
-      fail(fmt::format("was silent for {} s", std::chrono::floor<std::chrono::seconds>(silence).count()));
+      fail(why_lost(
+          fmt::format("was silent for {} s", std::chrono::floor<std::chrono::seconds>(silence).count())));
   }
 }
 

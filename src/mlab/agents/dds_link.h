@@ -34,6 +34,8 @@ class DdsLink final : public robot_remote::Link {
   std::shared_ptr<robot_remote::LiveLine> live() override { return live_; }
 
  private:
+  /// Why it is lost: that this process stood still for so long that it was given up, where that is so.
+  std::string why_lost(std::string otherwise) const;
   DdsLink(std::shared_ptr<Roster> roster, const Member& agent, std::string key, dds::Waiter waiter,
           dds::Reader answers, dds::Writer requests);
   bool is_met() const;

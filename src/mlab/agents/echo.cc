@@ -1,6 +1,7 @@
 #include "mlab/agents/echo.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <utility>
 
@@ -26,6 +27,11 @@ double seconds(Clock::duration duration) {
 
 }  // namespace
 
+bool is_clock_known(const LinkQuality& link) {
+  constexpr double kLeast = 0.0005;  // [s]
+  return std::abs(link.clock_offset) > link.round_trip / 2.0 && std::abs(link.clock_offset) >= kLeast;
+}
+
 void LinkHistory::asked(std::uint64_t number) {
   questions_.push_back({.number = number});
   if (questions_.size() > kKept) questions_.pop_front();
@@ -34,7 +40,10 @@ void LinkHistory::asked(std::uint64_t number) {
 void LinkHistory::answered(std::uint64_t number, double round_trip, double clock_offset) {
   if (!(round_trip >= 0.0) || round_trip > kLongestRoundTrip) return;
   const auto at = std::ranges::find(questions_, number, &Question::number);
-  if (at != questions_.end() && !at->has_answer) *at = {number, true, round_trip, clock_offset};
+  if (at == questions_.end() || at->has_answer) return;
+  *at = {number, true, round_trip, clock_offset};
+  // What was asked before both had found each other was not lost on the way.
+  if (!std::exchange(has_met_, true)) questions_.erase(questions_.begin(), at);
 }
 
 std::optional<LinkQuality> LinkHistory::quality() const {

@@ -24,6 +24,9 @@ struct LinkQuality {
   double lost = 0.0;          ///< share of the last questions without an answer, 0 .. 1
 };
 
+/// The clocks differ by more than the measurement can be wrong by, and by more than anybody would care for.
+bool is_clock_known(const LinkQuality& link);
+
 /// Puts measurements of one link together: of those that lately came back, the fastest tells the offset,
 /// since it waited for nobody (the minimum filter of NTP, RFC 5905 section 10).
 class LinkHistory {
@@ -33,7 +36,8 @@ class LinkHistory {
   void asked(std::uint64_t number);
   /// @param round_trip  [s]; what is less than 0 or more than a minute is nonsense and not kept
   void answered(std::uint64_t number, double round_trip, double clock_offset);
-  /// Nothing before the first answer; the newest question, whose answer may be on its way, is not lost yet.
+  /// Nothing before the first answer, and of what was asked before that nothing counts; the newest question,
+  /// whose answer may be on its way, is not lost yet.
   std::optional<LinkQuality> quality() const;
 
  private:
@@ -44,6 +48,7 @@ class LinkHistory {
     double clock_offset = 0.0;
   };
   std::deque<Question> questions_;  // by number
+  bool has_met_ = false;            // an answer has come
 };
 
 /// Asks all agents of a fleet for an echo, and measures the links by the four times of each answer. One

@@ -34,6 +34,17 @@ TEST(LinkHistory, CountsWhatWasNotAnsweredButForTheNewest) {
   EXPECT_NEAR(link.quality()->lost, 0.5, 1e-12);
 }
 
+TEST(LinkHistory, CountsNothingOfWhatWasAskedBeforeBothHadFoundEachOther) {
+  LinkHistory link;
+  for (std::uint64_t i = 1; i <= 5; ++i) link.asked(i);
+  link.answered(4, 0.01, 0.0);
+  link.answered(5, 0.01, 0.0);
+  EXPECT_EQ(link.quality()->lost, 0.0);
+  for (std::uint64_t i = 6; i <= 7; ++i) link.asked(i);
+  link.answered(7, 0.01, 0.0);
+  EXPECT_NEAR(link.quality()->lost, 0.25, 1e-12) << "from then on all count";
+}
+
 TEST(LinkHistory, ForgetsWhatIsLongAgo) {
   LinkHistory link;
   link.asked(1);

@@ -1,6 +1,7 @@
 #include "mlab/agents/roster.h"
 
 #include <algorithm>
+#include <ctime>
 #include <utility>
 
 #include "mlab/agents/stop_state.h"
@@ -37,6 +38,11 @@ std::optional<wire::AgentPresence> checked(const dds::Arrival& arrival) {
 bool is_agent_name(std::string_view name) {
   static_assert(text::kMostInMemberName <= dds::kMaxKey);
   return text::is_member_name(name);
+}
+
+std::optional<Member::Rival> rival_of(const Member& member) {
+  constexpr std::chrono::seconds kFresh(5);  // it says every two seconds that it is there
+  return member.rival && Clock::now() - member.rival->heard < kFresh ? member.rival : std::nullopt;
 }
 
 std::expected<std::shared_ptr<Roster>, std::string> Roster::join(const dds::Network& network, Watch watch) {
@@ -77,6 +83,7 @@ void Roster::listen(const std::stop_token& stop) {
     const std::vector<dds::Arrival> signs = life_ ? life_->take() : std::vector<dds::Arrival>();
     const std::vector<dds::Arrival> arrivals = reader_.take();
     const std::scoped_lock lock(mutex_);
+    note_standstill();
     for (const dds::Arrival& arrival : arrivals) take(arrival);
     for (const dds::Arrival& sign : signs) take_sign_of_life(sign);
     give_up_the_silent();
@@ -87,6 +94,26 @@ void Roster::listen(const std::stop_token& stop) {
 Member* Roster::of(const dds::Guid& guid) {
   const auto at = std::ranges::find_if(members_, [&](const auto& one) { return one.second.guid == guid; });
   return at == members_.end() ? nullptr : &at->second;
+}
+
+void Roster::note_standstill() {
+  constexpr double kLeast = 2.0;  // [s]
+  timespec now{};
+  ::clock_gettime(CLOCK_BOOTTIME, &now);
+  const double seconds = static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+  const double passed = seconds - std::exchange(looked_, seconds);
+  if (passed >= kLeast && passed < seconds) standstill_ = {passed, Clock::now()};
+}
+
+std::optional<Roster::Standstill> Roster::standstill() const {
+  const std::scoped_lock lock(mutex_);
+  return standstill_;
+}
+
+void Roster::forget_rival(const dds::Guid& guid) {
+  for (auto& [name, member] : members_) {
+    if (member.rival && member.rival->guid == guid) member.rival.reset();
+  }
 }
 
 void Roster::set(Member& member, Member::State state) {
@@ -105,7 +132,7 @@ void Roster::take(const dds::Arrival& arrival) {
     Member& member = at->second;
     // Who has the name keeps it until he has gone.
     if (!is_new && member.guid != arrival.sender && member.state == Member::State::kThere) {
-      member.rival = Member::Rival{arrival.sender, said->host(), arrival.noticed};
+      member.rival = Member::Rival{arrival.sender, said->host(), arrival.noticed, said->uptime()};
       return;
     }
     member.said = std::move(*said);
@@ -116,6 +143,7 @@ void Roster::take(const dds::Arrival& arrival) {
     set(member, Member::State::kThere);
     return;
   }
+  if (arrival.kind == Kind::kEnded || arrival.kind == Kind::kUnmatched) forget_rival(arrival.sender);
   Member* const member = of(arrival.sender);
   if (member == nullptr || (arrival.kind != Kind::kEnded && arrival.kind != Kind::kUnmatched)) return;
   member->has_left |= arrival.kind == Kind::kEnded;
@@ -167,16 +195,15 @@ std::optional<Roster::Sighting> Roster::sight(std::string_view name) const {
 }
 
 std::optional<Member::Rival> Roster::rival_of_mine(std::string_view name) const {
-  constexpr std::chrono::seconds kFresh(2);
   const std::scoped_lock lock(mutex_);
   const auto at = members_.find(name);
   if (at == members_.end()) return std::nullopt;
   const Member& one = at->second;
   const dds::Guid own = participant_.guid();
   if (one.guid != own && one.state == Member::State::kThere)
-    return Member::Rival{one.guid, one.said.host(), one.heard};
-  const bool is_there = one.rival && one.rival->guid != own && Clock::now() - one.rival->heard < kFresh;
-  return is_there ? one.rival : std::nullopt;
+    return Member::Rival{one.guid, one.said.host(), one.heard, one.said.uptime()};
+  auto other = rival_of(one);
+  return other && other->guid != own ? other : std::nullopt;
 }
 
 bool Roster::wait(const std::function<bool(const std::vector<Member>&)>& holds,

@@ -39,8 +39,9 @@ struct Member {
     dds::Guid guid;
     std::string host;
     Clock::time_point heard;
+    double uptime = 0.0;  ///< when it was heard, since it began [s]
   };
-  std::optional<Rival> rival;
+  std::optional<Rival> rival;  ///< may have gone since, see `rival_of`
 };
 
 /// How soon who goes is known to be silent.
@@ -55,6 +56,9 @@ inline constexpr std::chrono::seconds kSilencePatience(5);
 
 /// What may be the name of an agent: 1 to 64 letters, digits, `-`, `_`, `.`
 bool is_agent_name(std::string_view name);
+
+/// Somebody else of the same name who is there now.
+std::optional<Member::Rival> rival_of(const Member& member);
 
 /// Who is in a fleet, as seen from here. Has a thread of its own; may be used by any.
 class Roster {
@@ -82,6 +86,13 @@ class Roster {
     Clock::time_point heard;
   };
   std::optional<Sighting> sight(std::string_view name) const;
+  /// This process did not run for a while: it was stopped, or its machine slept. Others gave it up meanwhile.
+  struct Standstill {
+    double seconds = 0.0;
+    Clock::time_point ended;
+  };
+  /// The last one that was long enough to be told.
+  std::optional<Standstill> standstill() const;
   /// Somebody else than this participant who is there under that name now.
   std::optional<Member::Rival> rival_of_mine(std::string_view name) const;
   /// Waits until something holds of those who are there, and asks again whenever somebody comes, goes or
@@ -96,7 +107,9 @@ class Roster {
   void take(const dds::Arrival& arrival);
   void take_sign_of_life(const dds::Arrival& arrival);
   void give_up_the_silent();
+  void note_standstill();
   Member* of(const dds::Guid& guid);
+  void forget_rival(const dds::Guid& guid);
   void set(Member& member, Member::State state);
 
   std::string fleet_;
@@ -107,6 +120,8 @@ class Roster {
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::map<std::string, Member, std::less<>> members_;
+  std::optional<Standstill> standstill_;
+  double looked_ = 0.0;    // [s], of a clock that goes on while the machine sleeps
   bool has_news_ = false;  // that those who wait are to look at
   std::jthread thread_;
 };

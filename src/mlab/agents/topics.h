@@ -23,9 +23,10 @@ inline constexpr std::string_view kMissedTopic = "missed";  ///< MissedAgents of
 inline constexpr std::string_view kEchoQuestionTopic = "echo/asked";  ///< EchoQuestion, by asker
 inline constexpr std::string_view kEchoTopic = "echo/answered";       ///< Echo, by agent
 
-/// Of one agent: proto/mlab/agent.proto, by conversation.
-inline std::string requests_topic(std::string_view agent) {
-  return "agents/" + std::string(agent) + "/requests";
+/// Of one agent: proto/mlab/agent.proto, by conversation. Another one that has the same name, as long as they
+/// have not met, is not meant.
+inline std::string requests_topic(std::string_view agent, const dds::Guid& guid) {
+  return "agents/" + std::string(agent) + "/requests/" + guid.text();
 }
 /// Of one conversation, so that a run which does not listen holds up no other.
 inline std::string answers_topic(std::string_view agent, std::string_view conversation) {

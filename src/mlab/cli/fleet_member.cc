@@ -1,6 +1,11 @@
 #include "mlab/cli/fleet_member.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -36,6 +41,47 @@ std::string kept_file(const std::string& fleet, const std::string& name, const c
   const std::string folder = state_folder();
   return folder.empty() ? "" : fmt::format("{}/agents/{}@{}.{}", folder, fleet, name, what);
 }
+
+/// Holds a name in a fleet for one agent of this user's on this machine, whatever networks others are on that
+/// would have it, too, and whom it may never hear: all of them would keep their emergency stop in one file.
+class NameHold {
+ public:
+  /// @param file  empty, or it can't be made: the name is nobody's
+  explicit NameHold(const std::string& file) {
+    if (file.empty()) return;
+    std::error_code failure;
+    std::filesystem::create_directories(std::filesystem::path(file).parent_path(), failure);
+    descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600);
+    if (descriptor_ < 0) return;
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+      note_process();
+    } else if (errno == EWOULDBLOCK) {
+      is_taken_ = true;
+      std::ifstream(file) >> holder_;
+    }
+  }
+  NameHold(const NameHold&) = delete;
+  NameHold& operator=(const NameHold&) = delete;
+  ~NameHold() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  bool is_taken() const { return is_taken_; }
+  /// Process that has it; 0: it has not said so.
+  long holder() const { return holder_; }
+
+ private:
+  // For people: where it can't be written the lock counts all the same.
+  void note_process() const {
+    const std::string text = fmt::format("{}\n", ::getpid());
+    if (::ftruncate(descriptor_, 0) != 0) return;
+    [[maybe_unused]] const ssize_t count = ::pwrite(descriptor_, text.data(), text.size(), 0);
+  }
+
+  int descriptor_ = -1;
+  bool is_taken_ = false;
+  long holder_ = 0;
+};
 
 /// When an agent was there last, on the disk: an agent that did not end in order, because its machine had no
 /// power say, tells of it when it is back.
@@ -131,18 +177,7 @@ class Watch {
   std::jthread thread_;
 };
 
-}  // namespace
-
-agents::AgentSettings member_settings(const NetworkOptions& network, const std::string& name) {
-  agents::AgentSettings out;
-  out.name = name.empty() ? agents::machine_name() : name;
-  out.stop_file = kept_file(fleet_of(network.fleet), out.name, "stop");
-  out.log = std::make_shared<agents::AgentLog>(print_line);
-  return out;
-}
-
-int take_part(agents::AgentSettings settings, const NetworkOptions& options, const MemberWords& words) {
-  note_interrupts();
+int serve(agents::AgentSettings settings, const NetworkOptions& options, const MemberWords& words) {
   LastSeen last_seen(kept_file(fleet_of(options.fleet), settings.name, "seen"));
   keys::WithdrawalWatch withdrawals(identity_folder(options));
   settings.tell_stop = [&] { last_seen.want_note(); };
@@ -174,6 +209,27 @@ int take_part(agents::AgentSettings settings, const NetworkOptions& options, con
   settings.log->add("has left the fleet");
   last_seen.end();
   return kDone;
+}
+
+}  // namespace
+
+agents::AgentSettings member_settings(const NetworkOptions& network, const std::string& name) {
+  agents::AgentSettings out;
+  out.name = name.empty() ? agents::machine_name() : name;
+  out.stop_file = kept_file(fleet_of(network.fleet), out.name, "stop");
+  out.log = std::make_shared<agents::AgentLog>(print_line);
+  return out;
+}
+
+int take_part(agents::AgentSettings settings, const NetworkOptions& options, const MemberWords& words) {
+  note_interrupts();
+  const NameHold name(kept_file(fleet_of(options.fleet), settings.name, "lock"));
+  if (!name.is_taken()) return serve(std::move(settings), options, words);
+  fmt::print(stderr,
+             "{}: `{}` of the fleet `{}` runs on this machine already{}: end it, or choose another --name\n",
+             words.command, settings.name, fleet_of(options.fleet),
+             name.holder() > 0 ? fmt::format(" (process {})", name.holder()) : "");
+  return kBadInput;
 }
 
 }  // namespace mlab::cli

@@ -48,6 +48,10 @@ class FleetStopLine final : public run::StopLine {
       told_forgetful_ = words;
       if (!words.empty()) out.push_back("the emergency stop is " + std::move(words));
     }
+    if (std::string words = about_doubles(roster_->members()); words != told_doubles_) {
+      told_doubles_ = words;
+      if (!words.empty()) out.push_back(std::move(words));
+    }
     if (withdrawals_.has_changed()) out.push_back(about_withdrawal());
     return out;
   }
@@ -81,6 +85,7 @@ class FleetStopLine final : public run::StopLine {
   std::unique_ptr<agents::StopSwitch> all_;
   keys::WithdrawalWatch withdrawals_;
   std::string told_forgetful_;
+  std::string told_doubles_;
   agents::Clock::time_point next_look_;
 };
 
@@ -102,6 +107,19 @@ std::string about_forgetful(const std::vector<agents::StopSwitch::Forgetful>& ag
   for (const agents::StopSwitch::Forgetful& one : agents)
     out += fmt::format("{}`{}` ({})", out.empty() ? "" : ", ", one.name, one.why);
   return out.empty() ? out : fmt::format("not kept by {}: started again it would forget it", out);
+}
+
+std::string about_doubles(const std::vector<agents::Member>& members) {
+  std::string out;
+  for (const agents::Member& one : members) {
+    const auto rival = agents::rival_of(one);
+    if (!rival || one.state == agents::Member::State::kGone) continue;
+    out += fmt::format(
+        "{}two agents call themselves `{}`, and have not found each other: that on `{}` counts, that on `{}` "
+        "is left out",
+        out.empty() ? "" : "; ", one.said.name(), one.said.host(), rival->host);
+  }
+  return out.empty() ? out : out + ": end it, or start it with another --name";
 }
 
 std::string stopping_person() {

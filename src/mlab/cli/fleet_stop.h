@@ -30,6 +30,9 @@ std::string about_unreached(const std::string& by, double silent);
 /// What is said of agents that would forget the stop; empty: there are none.
 std::string about_forgetful(const std::vector<agents::StopSwitch::Forgetful>& agents);
 
+/// What is said of names that two agents have, as long as both are there; empty: there are none.
+std::string about_doubles(const std::vector<agents::Member>& members);
+
 /// Who pulls it from here: the machine's name.
 std::string stopping_person();
 

@@ -46,6 +46,11 @@ std::string fleet_options_elsewhere(const NetworkOptions& options) {
   return out + peers_of(options) + (options.is_secure ? " --secure" : "");
 }
 
+std::string nobody_is_there(const std::string& fleet, const NetworkOptions& options) {
+  return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}{1}` starts an agent{2}", fleet,
+                     fleet_options(options), who_is_not_seen(options));
+}
+
 std::string who_is_not_seen(const NetworkOptions& options) {
   std::string out;
   if (options.interface_name.empty())

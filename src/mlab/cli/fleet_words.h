@@ -17,6 +17,9 @@ std::string fleet_options_elsewhere(const NetworkOptions& options);
 /// The command that releases the emergency stop of the fleet from here.
 std::string release_command(const NetworkOptions& options);
 
+/// Where a fleet has nobody: what starts somebody, or shows him, as a sentence.
+std::string nobody_is_there(const std::string& fleet, const NetworkOptions& options);
+
 /// Where nobody is seen: who may be there nevertheless, and which options show him, with `; ` in front;
 /// empty: nobody.
 std::string who_is_not_seen(const NetworkOptions& options);

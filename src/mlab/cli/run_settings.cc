@@ -11,6 +11,7 @@
 
 #include "mlab/agents/fleet_runner.h"
 #include "mlab/cli/files.h"
+#include "mlab/cli/fleet_machines.h"
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/fleet_stop.h"
 #include "mlab/cli/fleet_vehicles.h"
@@ -107,6 +108,7 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
   auto stop_line = fleet_stop_line(*roster, name_of_run(options), identity_folder(network));
   if (!stop_line) return stop_line.error();
   out.settings.stop_line = std::move(*stop_line);
+  out.machines = watch_machines(*roster, network);
   const agents::StartHints hints{fleet_options(network), fleet_options_elsewhere(network),
                                  who_is_not_seen(network)};
   out.settings.robots_elsewhere = [roster = *roster, hints, is_live = options.real_time](

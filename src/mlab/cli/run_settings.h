@@ -7,6 +7,7 @@
 #include "mlab/cell/permission.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
+#include "mlab/console/machine_watch.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/preflight/gate.h"
 #include "mlab/robot/program/robot_program.h"
@@ -18,8 +19,9 @@ namespace mlab::cli {
 struct RunManner {
   double speed = 0.0;  ///< simulated seconds per second; 0: as fast as it goes
   MissionClock clock;
-  run::RunSettings settings;              ///< all but the environment, which belongs to a mission
-  std::shared_ptr<preflight::Gate> gate;  ///< before vehicles; null: the run has none
+  run::RunSettings settings;                        ///< all but the environment, which belongs to a mission
+  std::shared_ptr<preflight::Gate> gate;            ///< before vehicles; null: the run has none
+  std::shared_ptr<console::MachineWatch> machines;  ///< of its fleet; null: it has none
 };
 
 /// @param default_speed  where the options name none

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mlab/cell/permission.h"
+#include "mlab/console/machine_watch.h"
 #include "mlab/console/server/connection_id.h"
 #include "mlab/console/trial.h"
 #include "mlab/history/history.h"
@@ -53,7 +54,8 @@ struct SessionSettings {
   double speed = 10.0;                                ///< simulated seconds per second; 0: as fast as it goes
   std::shared_ptr<const tiles::MapTiles> tiles = {};  ///< what the map lies on; null: nothing
   run::RunSettings run;
-  std::shared_ptr<preflight::Gate> gate = {};  ///< before vehicles that a run may have; null: it has none
+  std::shared_ptr<preflight::Gate> gate = {};   ///< before vehicles that a run may have; null: it has none
+  std::shared_ptr<MachineWatch> machines = {};  ///< who may carry its robots; null: no fleet does
   RecordSettings record = {};
   OpenRecording recording = {};     ///< then no mission is opened
   OpenRecording against = {};       ///< that the recording is compared with

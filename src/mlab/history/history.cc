@@ -159,15 +159,17 @@ std::string History::why_not_recomputed() const {
 
 std::string History::why_not_gone_on() const {
   if (std::string why = why_not_recomputed(); !why.empty()) return why;
-  if (beginning_->is_in_real_time())
+  return why_not_gone_on(beginning_->is_in_real_time(), executable());
+}
+
+std::string History::why_not_gone_on(bool is_in_real_time, const std::string& executable) {
+  if (is_in_real_time)
     return "its robots were elsewhere, in real time: what they would do next is not known here";
-  if (const std::string name = executable(); !name.empty())
-    return fmt::format(
-        "the program `{}` is in an executable, which keeps what it had in mind to itself: only what it "
-        "answered "
-        "is known",
-        text::shown(name));
-  return "";
+  if (executable.empty()) return "";
+  return fmt::format(
+      "the program `{}` is in an executable, which keeps what it had in mind to itself: only what it "
+      "answered is known",
+      text::shown(executable));
 }
 
 // The first program that is in one; empty: none is.

@@ -111,6 +111,9 @@ class History {
   /// Why nobody can go on with the run from where it ends, as a sentence; empty: the run can be computed
   /// again, and gone on with.
   std::string why_not_gone_on() const;
+  /// The same of a run of which all is recorded, known before that.
+  /// @param executable  a program of it that is in one; empty: none is
+  static std::string why_not_gone_on(bool is_in_real_time, const std::string& executable);
 
  private:
   std::optional<std::string> add_text(const wire::HistoryText& text);

@@ -40,14 +40,20 @@ class DdsLine final : public vehicle::Line {
 
   std::optional<std::string> hear() override {
     std::optional<std::string> out = std::exchange(first_, std::nullopt);
+    const auto vehicle = roster_->sight(name_);
     for (dds::Arrival& one : reports_.take()) {
-      if (one.kind == dds::Arrival::Kind::kMessage && one.key == name_) out = std::move(one.body);
+      const bool is_its = vehicle && one.sender == vehicle->guid && one.key == name_;
+      if (one.kind == dds::Arrival::Kind::kMessage && is_its) out = std::move(one.body);
     }
     return out;
   }
   void tell(const wire::VehicleCommand& command) override {
+    const auto vehicle = roster_->sight(name_);
+    if (!vehicle) return;
+    wire::VehicleCommand addressed = command;
+    addressed.set_to(vehicle->guid.bytes.data(), vehicle->guid.bytes.size());
     // One that nobody takes is followed by the next.
-    static_cast<void>(commands_.write(name_, command.SerializeAsString()));
+    static_cast<void>(commands_.write(name_, addressed.SerializeAsString()));
   }
 
  private:

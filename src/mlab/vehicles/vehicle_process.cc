@@ -1,8 +1,10 @@
 #include "mlab/vehicles/vehicle_process.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -16,6 +18,7 @@
 #include "mlab/dds/waiter.h"
 #include "mlab/dds/writer.h"
 #include "mlab/text/shown.h"
+#include "mlab/vehicle.pb.h"
 #include "mlab/vehicle/messages.h"
 #include "mlab/vehicle/server.h"
 #include "mlab/vehicles/vehicle_line.h"
@@ -42,8 +45,10 @@ class DrivenDevice final : public agents::Companion {
  public:
   DrivenDevice(std::shared_ptr<vehicle::Device> device, std::string name,
                std::shared_ptr<agents::AgentLog> log, dds::Waiter waiter, dds::Reader commands,
-               dds::Writer reports, dds::Writer checks, std::function<bool()> is_stopped)
-      : device_(std::move(device)),
+               dds::Writer reports, dds::Writer checks, std::function<bool()> is_stopped,
+               const dds::Guid& own)
+      : own_(own),
+        device_(std::move(device)),
         name_(std::move(name)),
         log_(std::move(log)),
         waiter_(std::move(waiter)),
@@ -63,7 +68,8 @@ class DrivenDevice final : public agents::Companion {
     while (!stop.stop_requested()) {
       waiter_.wait(kTick);
       for (const dds::Arrival& one : commands_.take()) {
-        if (one.kind == dds::Arrival::Kind::kMessage) server_.hear(one.sender.text(), one.body, one.noticed);
+        if (one.kind == dds::Arrival::Kind::kMessage && is_for_this(one.body))
+          server_.hear(one.sender.text(), one.body, one.noticed);
         if (one.kind == dds::Arrival::Kind::kUnmatched) server_.lose(one.sender.text());
       }
       const Clock::time_point now = Clock::now();
@@ -86,6 +92,13 @@ class DrivenDevice final : public agents::Companion {
     }
   }
 
+  bool is_for_this(const std::string& body) const {
+    wire::VehicleCommand command;
+    return command.ParseFromString(body) && std::ranges::equal(command.to(), own_.bytes, {}, [](char one) {
+             return static_cast<std::uint8_t>(one);
+           });
+  }
+
   // What has changed, for people.
   void tell(Clock::time_point now) {
     for (const std::string& one : device_->take_news()) log_->add(text::shown(one, 200));
@@ -102,6 +115,7 @@ class DrivenDevice final : public agents::Companion {
   }
 
   inline static const std::string kNothing;
+  dds::Guid own_;
   std::shared_ptr<vehicle::Device> device_;
   std::string name_;
   std::shared_ptr<agents::AgentLog> log_;
@@ -135,7 +149,8 @@ agents::OfferedVehicle offer(std::shared_ptr<vehicle::Device> device, std::strin
     auto checks = participant.writer(checks_topic(name), dds::ChannelKind::kLivePercepts);
     if (!checks) return std::unexpected(checks.error());
     return std::make_unique<DrivenDevice>(device, name, log, std::move(*waiter), std::move(*commands),
-                                          std::move(*reports), std::move(*checks), std::move(is_stopped));
+                                          std::move(*reports), std::move(*checks), std::move(is_stopped),
+                                          participant.guid());
   };
   return out;
 }

@@ -6,6 +6,9 @@ import { nameActions } from "../editor/names.ts";
 import { FailsafesPanel } from "../failsafes/failsafes_panel.tsx";
 import { kFailsafesPlace } from "../failsafes/place.ts";
 import { LogPanel } from "../log/log_panel.tsx";
+import { MachinesPanel } from "../machines/machines_panel.tsx";
+import { kMachinesPlace } from "../machines/place.ts";
+import { useHasMachines, useMachinesBadge } from "../machines/use_machines.ts";
 import { MeasureOptions, makeMeasureTool } from "../measuring/measure_tool.tsx";
 import { MissionPanel } from "../mission/mission_panel.tsx";
 import { DrawOptions } from "../overlay/draw_options.tsx";
@@ -52,6 +55,13 @@ export const panels: readonly Panel[] = [
     useBadge: useSteeredUnits,
   },
   { ...kFailsafesPlace, icon: "shield", component: FailsafesPanel },
+  {
+    ...kMachinesPlace,
+    icon: "machine",
+    component: MachinesPanel,
+    useBadge: useMachinesBadge,
+    useIsThere: useHasMachines,
+  },
   { id: "view", title: "View", icon: "layers", component: ViewPanel, dock: "right", shortcut: "7" },
   { id: "log", title: "Log", icon: "log", component: LogPanel, dock: "bottom", shortcut: "8" },
   { id: "text", title: "Text", icon: "text", component: TextPanel, dock: "bottom", shortcut: "9" },

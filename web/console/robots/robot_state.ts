@@ -1,4 +1,5 @@
 // How a robot is, in a word, from the flags of its record.
+import type { Model } from "../../core/model.ts";
 import type { Status } from "../../core/protocol.ts";
 import { Flag, Life, type RobotTable } from "../../core/robots.ts";
 
@@ -27,6 +28,12 @@ export function silenceOf(status: Status | null | undefined, robot: number): (Ro
   if (!machine) return null;
   const word = `Silent ${Math.floor(machine.silent)} s`;
   return { word, tone: "", title: `${word}: nothing is heard of machine ${machine.name}, what is shown is as old` };
+}
+
+/** What is shown as a robot's state: how it is, or how old that is. */
+export function shownState(model: Pick<Model, "robots" | "get">, robot: number): RobotState & { title?: string } {
+  const row = model.robots.rowOf(robot);
+  return silenceOf(model.get("status"), robot) ?? robotState(row < 0 ? 0 : model.robots.flags(row));
 }
 
 /** Of these robots those that stand because of a fault. */

@@ -8,8 +8,8 @@ import { count } from "../../ui/words/format.ts";
 import { commandOfUnit, type Followed, followedBy, isSameFollowing } from "../mission/unit_command.ts";
 import { usePart, useReading, useSession } from "../session/session.ts";
 import { VehicleMark } from "../vehicles/vehicle_mark.tsx";
-import { robotState, silenceOf } from "./robot_state.ts";
 import { type RosterRow, rosterRows, selectedKeys, selectionOf } from "./rows.ts";
+import { StatePill } from "./state_pill.tsx";
 import "./robots.css";
 
 export function RobotsPanel() {
@@ -153,18 +153,13 @@ function RobotRow({ row, followed }: { row: Extract<RosterRow, { kind: "robot" }
 function Facts({ id }: { id: number }) {
   const { model } = useSession();
   usePart("time");
-  const row = model.robots.rowOf(id);
-  const silence = silenceOf(model.get("status"), id);
-  const state = silence ?? robotState(row < 0 ? 0 : model.robots.flags(row));
   const place = model.get("starts").rowOf(id) < 0 ? model.placeOf(id) : undefined;
   return (
     <>
       <span className="small muted number grow robot-place">
         {place ? `${Math.round(place.x)}, ${Math.round(place.y)}` : ""}
       </span>
-      <span className={`pill ${state.tone}`} title={silence?.title ?? state.word}>
-        {state.word}
-      </span>
+      <StatePill robot={id} />
     </>
   );
 }

@@ -1,6 +1,6 @@
 // Several robots in numbers.
 import type { Model } from "../../core/model.ts";
-import { robotState } from "../robots/robot_state.ts";
+import { shownState } from "../robots/robot_state.ts";
 
 export interface GroupNumbers {
   /** Words of states with how many robots are in each, the most first. */
@@ -16,7 +16,7 @@ export interface GroupNumbers {
 }
 
 export function groupNumbers(
-  model: Pick<Model, "robots" | "placeOf" | "detail">,
+  model: Pick<Model, "robots" | "get" | "placeOf" | "detail">,
   ids: readonly number[],
 ): GroupNumbers {
   const states = new Map<string, { word: string; tone: string; robots: number[] }>();
@@ -26,8 +26,7 @@ export function groupNumbers(
   let farthest = -1;
   let lastArrival = -1;
   for (const id of ids) {
-    const row = model.robots.rowOf(id);
-    const { word, tone } = robotState(row < 0 ? 0 : model.robots.flags(row));
+    const { word, tone } = shownState(model, id);
     const known = states.get(word) ?? { word, tone, robots: [] };
     known.robots.push(id);
     states.set(word, known);

@@ -4,7 +4,8 @@ import { FactList } from "../../ui/controls/fact_list.tsx";
 import { distance, duration, headingDegrees } from "../../ui/words/format.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { FailsafeSummary } from "../failsafes/failsafe_summary.tsx";
-import { faulted, robotState } from "../robots/robot_state.ts";
+import { faulted } from "../robots/robot_state.ts";
+import { StatePill, useSilence } from "../robots/state_pill.tsx";
 import { usePart, useSession } from "../session/session.ts";
 import { VehicleFacts } from "../vehicles/vehicle_facts.tsx";
 import { PlaceValue } from "./place_value.tsx";
@@ -18,15 +19,15 @@ export function RobotFacts({ id }: { id: number }) {
   const detail = usePart("details").get(id);
   const time = usePart("time");
   const row = model.robots.rowOf(id);
-  const state = robotState(row < 0 ? 0 : model.robots.flags(row));
   const roster = usePart("roster");
   const failsafes = usePart("failsafes");
   const missing = useMissing();
+  const silence = useSilence(id);
   const silent = usePart("status")?.silentMachines.find((one) => one.name === detail?.machine);
   if (!detail || detail.life === kNotStarted) {
     return (
       <div className="rows tab-body">
-        <span className={`pill ${state.tone}`}>{state.word}</span>
+        <StatePill robot={id} />
         <p className="muted">
           {row < 0 ? "Not started yet: START puts it where its outline stands on the map." : missing}
         </p>
@@ -37,9 +38,9 @@ export function RobotFacts({ id }: { id: number }) {
   const arrives =
     detail.arrival >= 0 ? `${duration(detail.arrival)} (in ${duration(Math.max(0, detail.arrival - time))})` : "–";
   return (
-    <div className="rows tab-body">
+    <div className={`rows tab-body ${silence ? "old" : ""}`}>
       <div className="columns">
-        <span className={`pill ${state.tone}`}>{state.word}</span>
+        <StatePill robot={id} />
         <span className="small muted">{typeText(roster.robot(id)?.type ?? "", roster.programOf(id))}</span>
       </div>
       {detail.fault && <p className="notice danger">{sentence(`it stands: ${detail.fault}`)}</p>}

@@ -1,10 +1,11 @@
 // What is selected: one robot, several, a unit, or a thing on the map.
-import { useState } from "react";
+import { type ReactNode, useState } from "react";
 import { Tab, TabList, TabPanel, Tabs } from "react-aria-components";
 import { kNothing, selectUnit } from "../../core/selection.ts";
 import { Button, IconButton } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { count } from "../../ui/words/format.ts";
+import { useSilence } from "../robots/state_pill.tsx";
 import { usePart, useSession, useUi } from "../session/session.ts";
 import { GroupFacts } from "./group_facts.tsx";
 import { MapItemFacts } from "./map_item_facts.tsx";
@@ -55,14 +56,18 @@ export function SelectionPanel() {
         </TabPanel>
         <TabPanel id="why" className="tab-panel">
           <FirstOfSeveral robots={selection.robots} />
-          <WhyTab id={first} />
+          <AsOld robot={first}>
+            <WhyTab id={first} />
+          </AsOld>
         </TabPanel>
         <TabPanel id="parameters" className="tab-panel">
           <ParametersTab key={roster.robot(first)?.program} robots={selection.robots} />
         </TabPanel>
         <TabPanel id="ports" className="tab-panel">
           <FirstOfSeveral robots={selection.robots} />
-          <PortsTab id={first} />
+          <AsOld robot={first}>
+            <PortsTab id={first} />
+          </AsOld>
         </TabPanel>
       </Tabs>
     </>
@@ -120,6 +125,17 @@ function Heading() {
       />
       <IconButton icon="close" label="Clear the selection" shortcut="Esc" onPress={() => model.select(kNothing)} />
     </header>
+  );
+}
+
+/** Values of a robot, which are grey and say how old they are where nothing is heard of its machine. */
+function AsOld({ robot, children }: { robot: number; children: ReactNode }) {
+  const silence = useSilence(robot);
+  return (
+    <>
+      {silence && <p className="as-old small">{silence.title}.</p>}
+      <div className={silence ? "old-values" : ""}>{children}</div>
+    </>
   );
 }
 

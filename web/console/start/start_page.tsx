@@ -2,7 +2,7 @@ import type { Project_Entry } from "../../core/protocol.ts";
 import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { nameOf, shownPath, shownTitle } from "../../ui/files/paths.ts";
-import { duration } from "../../ui/words/format.ts";
+import { duration, readableMessage } from "../../ui/words/format.ts";
 import { openMission, order } from "../session/orders.ts";
 import { useMayOrder, usePart, useSession } from "../session/session.ts";
 import "../../ui/files/start.css";
@@ -78,11 +78,17 @@ function Unfinished() {
               <Icon name="play" />
               <span className="grow">
                 <span className="start-title">
-                  Continue ‘{nameOf(run.mission).replace(/\.mdl$/, "")}’, stopped at {duration(run.time)}
+                  {run.whyNot === "" ? "Continue" : "Bring back"} ‘{nameOf(run.mission).replace(/\.mdl$/, "")}’, stopped
+                  at {duration(run.time)}
                 </span>
                 <span className="small muted ellipsis">
                   {shownPath(run.mission)}, left {new Date(run.leftAt * 1000).toLocaleString()}
                 </span>
+                {run.whyNot !== "" && (
+                  <span className="small muted start-why">
+                    The run does not go on: {readableMessage(run.whyNot)}. Mission, log and people come back.
+                  </span>
+                )}
               </span>
             </Button>
           </li>

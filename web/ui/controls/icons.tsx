@@ -65,6 +65,7 @@ const kPaths = {
   checklist: "M4 6l1.5 1.5L8 5M4 12l1.5 1.5L8 11M4 18l1.5 1.5L8 17M11 6.5h9M11 12.5h9M11 18.5h9",
   vehicle:
     "M4 14V9h9l4 3h3v4h-2M4 14v2h1M9 16h5M7 18a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM16 18a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM8 9V6M8 5.9v.1",
+  machine: "M4 5h16v6H4zM4 13h16v6H4zM7.5 8v.1M7.5 16v.1M11 8h6M11 16h6",
   gauge: "M4 18a9 9 0 1 1 16 0M12 14l4-5",
 } as const;
 

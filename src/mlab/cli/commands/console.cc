@@ -271,6 +271,7 @@ console::SessionSettings session_settings(const RunOptions& options, RunManner m
   out.speed = manner.speed;
   out.run = std::move(manner.settings);
   out.gate = std::move(manner.gate);
+  out.machines = std::move(manner.machines);
   return out;
 }
 
@@ -455,14 +456,24 @@ int run_console(const RunOptions& options, const std::string& journal) {
   return serve(options, std::move(settings), look, *server);
 }
 
+constexpr std::size_t kLongestReason = 400;  // characters
+
 // The mission and its project are the run's.
 int resume_run(RunOptions options) {
   const auto found = find_resumable(options);
   if (!found) return usage_error("--resume: " + found.error());
   options.project = found->stand.session.project();
   options.mission = mission_file(*found);
-  fmt::print("{} goes on as it stood at {:.1f} s, paused.\n", text::shown(found->stand.session.mission()),
-             found->stand.progress.time());
+  const std::string mission = text::shown(found->stand.session.mission());
+  const double time = found->stand.progress.time();
+  if (const std::string& why = found->stand.session.why_not_gone_on(); why.empty())
+    fmt::print("{} goes on as it stood at {:.1f} s, paused.\n", mission, time);
+  else
+    fmt::print(
+        "{} stopped at {:.1f} s, and that run does not go on: {}. Mission, log and people come back, for a "
+        "new "
+        "run.\n",
+        mission, time, text::shown(why, kLongestReason));
   return run_console(options, found->path);
 }
 
@@ -471,8 +482,16 @@ void mention_resumable(const RunOptions& options) {
   if (options.edits || !options.recording.empty() || options.mission.empty()) return;
   const auto found = find_resumable(options);
   if (!found || found->stand.progress.time() <= 0.0) return;
-  fmt::print("A run of {} that did not end stands at {:.1f} s: with --resume it goes on.\n",
-             text::shown(found->stand.session.mission()), found->stand.progress.time());
+  const std::string mission = text::shown(found->stand.session.mission());
+  const double time = found->stand.progress.time();
+  if (const std::string& why = found->stand.session.why_not_gone_on(); why.empty())
+    fmt::print("A run of {} that did not end stands at {:.1f} s: with --resume it goes on.\n", mission, time);
+  else
+    fmt::print(
+        "A run of {} that did not end stopped at {:.1f} s, and does not go on: {}. --resume brings back its "
+        "log, "
+        "and what was not saved.\n",
+        mission, time, text::shown(why, kLongestReason));
 }
 
 }  // namespace

@@ -76,16 +76,14 @@ std::string link_of(const std::optional<agents::LinkQuality>& link) {
 std::string clock_of(const std::optional<agents::LinkQuality>& link) {
   if (!link) return "-";
   const double offset = link->clock_offset;
-  if (std::abs(offset) <= link->round_trip / 2.0 || std::abs(offset) < 0.0005) return "the same";
+  if (!agents::is_clock_known(*link)) return "the same";
   if (std::abs(offset) < 1.0) return fmt::format("{:+.1f} ms", offset * 1000.0);
   return fmt::format("{}{}", offset < 0.0 ? "-" : "+", age(std::abs(offset)));
 }
 
 std::string table_of(const std::string& fleet, const std::vector<Member>& members,
                      const agents::EchoProbe& links, const NetworkOptions& network) {
-  if (members.empty())
-    return fmt::format("fleet `{0}`: nobody is there; `mlab agent --fleet {0}{1}` starts an agent{2}\n",
-                       fleet, fleet_options(network), who_is_not_seen(network));
+  if (members.empty()) return nobody_is_there(fleet, network) + "\n";
   std::string out = fmt::format("{:<16} {:<16} {:<18} {:<18} {:<10} {:>6} {:>5} {:>10} {:>12} {:>8}  {}\n",
                                 "AGENT", "MACHINE", "STATE", "ROUND TRIP", "CLOCK", "ROBOTS", "RUNS", "LOAD",
                                 "FREE MEMORY", "UP", "VERSION");
@@ -102,6 +100,7 @@ std::string table_of(const std::string& fleet, const std::vector<Member>& member
                             : one.said.has_vehicle() ? fmt::format(", vehicle: {}", one.said.vehicle().kind())
                                                      : ""));
   }
+  if (const std::string words = about_doubles(members); !words.empty()) out += "warning: " + words + "\n";
   return out;
 }
 
@@ -123,6 +122,7 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
          {"is_stopped", one.said.stop().is_engaged()},
          {"is_stop_kept", one.said.not_kept().empty()},
          {"heard_s_ago", seconds_since(one.heard)},
+         {"same_name_on", rival_of(one) ? nlohmann::json(rival_of(one)->host) : nullptr},
          {"link", json_of(links.quality(one.said.name()))},
          {"robots", one.said.robots()},
          {"runs", one.said.runs()},
@@ -196,6 +196,11 @@ int switch_stop(const FleetOptions& options, const agents::Roster& roster, agent
              count, fleet);
   if (const std::string words = about_forgetful(stop.forgetful()); !words.empty())
     fmt::print(stderr, "mlab fleet: warning: {}\n", words);
+  // Whether he stands nobody knows here.
+  if (const std::string words = about_doubles(roster.members()); !words.empty()) {
+    fmt::print(stderr, "mlab fleet: {}\n", words);
+    return kFailed;
+  }
   if (unreached.empty()) return kDone;
   fmt::print(stderr, "mlab fleet: not confirmed by {}; each hears of it from the others when it is back\n",
              listed(unreached));

@@ -22,6 +22,14 @@ double system_time() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+// A program that is in one; empty: none is.
+std::string first_executable(const run::Crew& crew) {
+  for (const robot::RobotProgram& program : crew.programs) {
+    if (program.is_in_executable()) return program.name;
+  }
+  return "";
+}
+
 }  // namespace
 
 Chronicle::Chronicle(const Parts& parts)
@@ -137,6 +145,8 @@ RunJournal::Standing Chronicle::standing_of(const LiveRun& live, const std::stri
   run_.breakpoints().encode(breakpoints);
   for (const Breakpoint& one : breakpoints.breakpoints()) session.add_breakpoints(one.SerializeAsString());
   session.set_alerts_after(log_.alerts_after());
+  session.set_why_not_gone_on(
+      history::History::why_not_gone_on(run.settings().is_in_real_time, first_executable(*run.crew())));
   session.set_recording(live.recording());
   for (const auto& [id, one] : bookmarks_.all()) {
     wire::JournalBookmark& kept = *session.add_bookmarks();
@@ -209,6 +219,7 @@ void Chronicle::look() {
     told.set_mission(text::shown(one.stand.session.mission()));
     told.set_time(one.stand.progress.time());
     told.set_left_at(one.stand.progress.written_at());
+    told.set_why_not(text::shown(one.stand.session.why_not_gone_on(), 400));
   }
 }
 

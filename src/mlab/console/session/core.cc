@@ -95,8 +95,9 @@ SessionCore::SessionCore(SessionSettings settings, Session::Send send)
       look_backs_({settings_, documents_, chronicle_, run_, people_, log_, inbox_}),
       other_futures_({settings_, look_backs_, run_, people_, inbox_}),
       frames_(run_, people_),
+      machines_(settings_.machines),
       publisher_({people_, documents_, run_, maker_, frames_, log_, look_backs_, chronicle_, bookmark_orders_,
-                  preflight_orders_}),
+                  preflight_orders_, machines_}),
       measuring_({people_, run_, log_, settings_.version}),
       thread_([this] { work(); }) {}
 

@@ -8,6 +8,7 @@
 
 #include "mlab/console/documents/documents.h"
 #include "mlab/console/inbox.h"
+#include "mlab/console/published/machines_encoder.h"
 #include "mlab/console/run/event_log.h"
 #include "mlab/console/session.h"
 #include "mlab/console/session/bookmark_orders.h"
@@ -105,6 +106,7 @@ class SessionCore {
   LookBacks look_backs_;
   OtherFutures other_futures_;
   Frames frames_;
+  MachineBoard machines_;
   Publisher publisher_;
   Measuring measuring_;
   std::thread thread_;

@@ -35,7 +35,22 @@ Publisher::Publisher(const Parts& parts)
       chronicle_(parts.chronicle),
       bookmarks_(parts.bookmarks),
       preflight_(parts.preflight),
-      topics_(topics()) {}
+      machines_(parts.machines),
+      topics_(topics()) {
+  if (!machines_.is_there()) return;
+  const auto look = [this] {
+    const LiveRun* live = std::as_const(run_).live();
+    return machines_.look(wall_time(), live != nullptr ? &live->run() : nullptr);
+  };
+  topics_.push_back({[this, look](ToBrowser& out) {
+                       look();
+                       *out.mutable_machines() = machines_.told();
+                     },
+                     [this, look] {
+                       // Nobody is asked for who does not look.
+                       return people_.channels().empty() ? 0 : look();
+                     }});
+}
 
 // In the order in which whoever comes is told of them.
 // NOLINTNEXTLINE(readability-function-size): a row for each topic

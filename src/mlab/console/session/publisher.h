@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mlab/console/documents/documents.h"
+#include "mlab/console/published/machines_encoder.h"
 #include "mlab/console/run/event_log.h"
 #include "mlab/console/session/bookmark_orders.h"
 #include "mlab/console/session/chronicle.h"
@@ -35,6 +36,7 @@ class Publisher {
     Chronicle& chronicle;
     const BookmarkOrders& bookmarks;
     const PreflightOrders& preflight;
+    MachineBoard& machines;
   };
   explicit Publisher(const Parts& parts);
 
@@ -79,6 +81,7 @@ class Publisher {
   Chronicle& chronicle_;
   const BookmarkOrders& bookmarks_;
   const PreflightOrders& preflight_;
+  MachineBoard& machines_;
 
   std::uint64_t world_key_ = 0;      // of the obstacles that the scene has
   std::uint64_t world_changes_ = 0;  // how often obstacles came or went that no document has

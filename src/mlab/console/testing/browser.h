@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -146,6 +147,7 @@ class Browser {
   const HeldValues& held() const { return held_; }
   const Failsafes& failsafes() const { return failsafes_; }
   const Preflight& preflight() const { return preflight_; }
+  const std::optional<Machines>& machines() const { return machines_; }  ///< nothing: was not told of any
   const TimeLine& time_line() const { return time_line_; }
   const Moment& moment() const { return moment_; }
   const Journal& journal() const { return journal_; }
@@ -239,6 +241,9 @@ class Browser {
       case ToBrowser::kPreflight:
         preflight_ = message.preflight();
         break;
+      case ToBrowser::kMachines:
+        machines_ = message.machines();
+        break;
       case ToBrowser::kFailsafes:
         failsafes_ = message.failsafes();
         break;
@@ -305,6 +310,7 @@ class Browser {
   HeldValues held_;
   Failsafes failsafes_;
   Preflight preflight_;
+  std::optional<Machines> machines_;
   TimeLine time_line_;
   Moment moment_;
   Journal journal_;

@@ -15,7 +15,7 @@
 namespace mlab::robot_remote {
 
 /// Version of proto/mlab/agent.proto; agents of another one are not understood.
-inline constexpr std::uint32_t kAgentProtocol = 1;
+inline constexpr std::uint32_t kAgentProtocol = 2;
 
 /// How long an agent may take [s].
 struct Patience {
