@@ -1,7 +1,9 @@
 #include "mlab/schema/turns.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -34,7 +36,7 @@ class Turns : public testing::Test {
   void put(Point at, Offset wanted, double left = 100.0) { robots_.push_back({at, wanted, left, {}, {}}); }
 
   void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 10.0 + 0.5); ++i) cycle();
+    for (double left = seconds; left > 0.05; left -= 0.1) cycle();
   }
 
   void cycle() {
