@@ -52,6 +52,14 @@ TEST_F(Command, HintsCanBePasted) {
   EXPECT_TRUE(has(o.out, " --network 127.0.0.1` starts an agent")) << o.out << o.err;
 }
 
+TEST_F(Command, WhatIsAskedOfAFleetIsNotAskedAsJson) {
+  for (const std::string option : {"--stop", "--release", "--log north"}) {
+    const Outcome o = mlab("fleet nobody-" + std::to_string(::getpid()) + " --json " + option, "timeout 60");
+    EXPECT_EQ(o.status, 2) << option << o.out;
+    EXPECT_TRUE(has(o.err, "excludes --json")) << o.err;
+  }
+}
+
 TEST_F(Command, WhereNobodyIsSeenTheOptionsThatMayShowSomebodyAreNamed) {
   const std::string fleet = "nobody-" + std::to_string(::getpid());
   const std::string before = "XDG_STATE_HOME=\"$PWD/state\" timeout 60";

@@ -16,8 +16,10 @@ void add_fleet(CLI::App& app, FleetOptions& o) {
   c->add_flag("--once", o.once, "say it once, and end");
   auto* const json = c->add_flag("--json", o.json, "say it once, as JSON");
   auto* const stop = c->add_flag("--stop", o.stop,
-                                 "EMERGENCY STOP: all robots of the fleet stand, until somebody releases it");
-  auto* const release = c->add_flag("--release", o.release, "release the emergency stop")->excludes(stop);
+                                 "EMERGENCY STOP: all robots of the fleet stand, until somebody releases it")
+                         ->excludes(json);
+  auto* const release =
+      c->add_flag("--release", o.release, "release the emergency stop")->excludes(stop)->excludes(json);
   c->add_option("--log", o.log, "what the agent of that name told last")
       ->excludes(stop)
       ->excludes(release)

@@ -1,9 +1,10 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
+import { Model } from "../../core/model.ts";
 import { RosterSchema, StatusSchema } from "../../core/protocol.ts";
-import { Flag, Life } from "../../core/robots.ts";
+import { Flag, Life, RobotTable } from "../../core/robots.ts";
 import { RosterIndex } from "../../core/roster.ts";
-import { robotState, silenceOf } from "./robot_state.ts";
+import { robotState, shownState, silenceOf } from "./robot_state.ts";
 import { rosterRows, selectedKeys, selectionOf } from "./rows.ts";
 
 const roster = new RosterIndex(
@@ -27,6 +28,22 @@ it("tells how old what is shown of a robot is whose machine is silent", () => {
   });
   expect(silenceOf(status, 2)).toBeNull();
   expect(silenceOf(undefined, 1)).toBeNull();
+});
+
+it("shows how old a robot's state is in place of it where its machine is silent, though it ran when it was heard", () => {
+  const records = new Uint8Array(32);
+  const view = new DataView(records.buffer);
+  [1, 2].forEach((id, i) => {
+    view.setUint32(16 * i, id, true);
+    view.setUint8(16 * i + 14, Life.RUNNING);
+  });
+  const robots = new RobotTable();
+  robots.accept(records);
+  const status = create(StatusSchema, { silentMachines: [{ name: "north", silent: 3.2, robots: [1] }] });
+  const model = new Model();
+  const seen = { robots, get: ((part) => (part === "status" ? status : model.get(part))) as Model["get"] };
+  expect(shownState(seen, 1)).toMatchObject({ word: "Silent 3 s", tone: "" });
+  expect(shownState(seen, 2)).toEqual({ word: "Running", tone: "go" });
 });
 
 describe("the list of units and robots", () => {

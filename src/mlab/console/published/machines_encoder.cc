@@ -19,7 +19,8 @@ RobotsByMachine robots_by_machine(const run::MissionRun& run) {
     if (robot.runner == nullptr) continue;
     if (std::string name = robot.runner->machine(robot.member); !name.empty())
       out[std::move(name)].push_back(robot.id.value);
-    else if (robot.program != nullptr && robot.program->is_of_vehicle)
+    // Its body may be elsewhere than its program.
+    if (robot.program != nullptr && robot.program->is_of_vehicle)
       out[robot.program->vehicle()].push_back(robot.id.value);
   }
   return out;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "mlab/console.pb.h"
 #include "mlab/console/machine_watch.h"
