@@ -23,7 +23,8 @@ describe("a machine of the fleet", () => {
     expect(condition(machine({ isStopped: true, notKept: "disk full" })).word).toBe("Stopped, not kept");
   });
   it("tells its link and its clock where they were measured", () => {
-    expect(linkText(machine({}))).toBe("not measured");
+    expect(linkText(machine({}))).toBe("not measured yet");
+    expect(clockText(machine({ state: State.SILENT }))).toBe("–");
     const link = { roundTrip: 0.00123, clockOffset: -0.04, lost: 0.001, isClockKnown: true };
     expect(linkText(machine({ link }))).toBe("1.2 ms there and back, 1 % lost");
     expect(clockText(machine({ link }))).toBe("40 ms behind");

@@ -25,16 +25,21 @@ export function age(seconds: number): string {
   return seconds < 7200 ? `${Math.floor(seconds / 60)} min` : `${Math.floor(seconds / 3600)} h`;
 }
 
+/** Of one that nothing is heard of there is nothing to measure. */
+function unmeasured(state: State): string {
+  return state === State.THERE ? "not measured yet" : "–";
+}
+
 /** `1.2 ms there and back, 5 % lost`. */
-export function linkText({ link }: Machines_Machine): string {
-  if (!link) return "not measured";
+export function linkText({ link, state }: Machines_Machine): string {
+  if (!link) return unmeasured(state);
   const lost = link.lost > 0 ? `, ${Math.max(1, Math.round(link.lost * 100))} % lost` : "";
   return `${(link.roundTrip * 1000).toFixed(1)} ms there and back${lost}`;
 }
 
 /** How far its clock is ahead. */
-export function clockText({ link }: Machines_Machine): string {
-  if (!link) return "not measured";
+export function clockText({ link, state }: Machines_Machine): string {
+  if (!link) return unmeasured(state);
   if (!link.isClockKnown) return "the same";
   const size = Math.abs(link.clockOffset);
   return `${size < 1 ? `${quantity(size * 1000, 3)} ms` : age(size)} ${link.clockOffset > 0 ? "ahead" : "behind"}`;
