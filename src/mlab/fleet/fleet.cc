@@ -397,17 +397,16 @@ void Fleet::collect(FleetRobot& robot, double dt) {
   percept::Action& carried_out = actions_[robot.body.value];
   if (!robot.failure.empty() || !robot::is_number(robot.action)) {
     robot.life = RobotLife::kFaulted;
-    robot.action = {};
-    carried_out.clear();
+    carried_out = robot.action = {};
     now_.new_faults.push_back(robot.id);
     return;
   }
-  if (robot.failsafes != 0 && !guard(robot, dt)) {
+  if (robot.failsafes == 0 || guard(robot, dt)) {
+    carried_out.become(robot.action);
+    note_calls(robot);
+  } else {
     carried_out.clear();
-    return;
   }
-  carried_out.become(robot.action);
-  note_calls(robot);
 }
 
 void Fleet::brake(double dt) {

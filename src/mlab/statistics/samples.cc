@@ -59,7 +59,7 @@ double bin_width(const Sample& sample, double span, std::size_t most) {
     const double of_normal = 3.49 * sample.deviation;  // the same of values that are normally distributed
     const double half = 2.0 * (quantile(sample, 0.75) - quantile(sample, 0.25));
     const double range = sample.sorted.back() - sample.sorted.front();
-    width = std::min((half > 0.0 ? half : of_normal) / std::cbrt(n), range / (std::log2(n) + 1.0));
+    width = std::min((half > 0.0 ? half : of_normal) / std::pow(n, 1.0 / 3.0), range / (std::log2(n) + 1.0));
   }
   return std::max(nearest_round(std::clamp(width, narrowest, span)), round_step(span, most));
 }
