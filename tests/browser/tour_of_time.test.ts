@@ -73,9 +73,9 @@ describe.runIf(arePicturesWanted)("pictures", () => {
     await console.page.getByText(/They part at/).waitFor();
     await goTo(console, "3:20");
     await picture(console.page, "against");
-    const html = project.path("page.html");
-    spawnSync(process.env.MLAB_COMMAND ?? "mlab", ["compare", ...files, "--html", html]); // 1: they differ
-    await pageOf(html, "compare");
+    const words = ["compare", "a.mcap", "b.mcap", "--html", "page.html"];
+    spawnSync(process.env.MLAB_COMMAND ?? "mlab", words, { cwd: project.folder }); // 1: they differ
+    await pageOf(project.path("page.html"), "compare");
   });
 
   test("a recording on the drawing", async () => {
