@@ -128,7 +128,6 @@ void add_errands(const fleet::Fleet& fleet, const fleet::FleetRobot& robot, std:
 
 // That it waits to be let through, or makes way for another one.
 void add_turn(const fleet::Fleet& fleet, const fleet::FleetRobot& robot, std::vector<std::string>& out) {
-  constexpr double kHere = 0.2;  // [m]
   const geom::Pose pose = fleet.pose(robot);
   const auto wish = schema::wish_of(fleet.perceive_at(robot, pose, {}, 0.0), robot.id);
   if (!wish) return;
@@ -139,7 +138,7 @@ void add_turn(const fleet::Fleet& fleet, const fleet::FleetRobot& robot, std::ve
         fmt::format("  can't make way for robot {}, and asks to be let through, towards {}", first, there));
   else if (first == robot.id.value)
     out.push_back(fmt::format("  asks those in its way to let it through, towards {}", there));
-  else if (distance(wish->to, pose.position) < kHere)
+  else if (schema::is_waiting(*wish, pose.position))
     out.push_back(fmt::format("  waits here until robot {} has passed", first));
   else
     out.push_back(fmt::format("  makes way for robot {}, towards {}", first, there));

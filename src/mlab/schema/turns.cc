@@ -21,7 +21,6 @@ constexpr double kHolds = 1.5;       // what was told so long ago still counts [
 constexpr double kAfter = 2.0;       // so long after nobody was in front any more one still asks [s]
 constexpr double kHears = 8.0;       // [m]
 constexpr double kAsksAhead = 4.0;   // so far ahead one asks for way [m]
-constexpr double kLeastGap = 0.25;   // of the gap
 constexpr double kThere = 0.1;       // [m]
 constexpr double kSameWay = 0.5;     // cosine of the angle
 constexpr double kLooksAgain = 1.5;  // [s]
@@ -49,11 +48,16 @@ std::optional<PassageWish> wish_of(const Percepts& percepts, base::RobotId robot
   return wish_in(*at);
 }
 
-bool hears_wish(const Percepts& percepts) {
-  return std::ranges::any_of(percepts.shared_places, [&](const percept::SharedPlace& shared) {
-    return percepts.time - shared.time <= kHolds && shared.from != percepts.id && wish_in(shared) &&
-           distance(shared.place, percepts.pose.position) < kHears;
-  });
+bool is_waiting(const PassageWish& wish, Point here) {
+  return distance(here, wish.to) < 2.0 * kThere;
+}
+
+bool hears_wish(const Percepts& percepts, const flow::ListView<percept::RobotReading>& robots) {
+  for (const percept::RobotReading& robot : robots) {
+    if (length(robot.center) > kHears) break;
+    if (wish_of(percepts, robot.id)) return true;
+  }
+  return false;
 }
 
 /// What it knows in this cycle.
@@ -117,7 +121,7 @@ TurnTaker::Wishes TurnTaker::hear(const Situation& now) const {
     const auto wish = wish_of(now.percepts, robot.id);
     const Point from = now.percepts.pose.point_at(robot.center);
     // Who is where it wants to be only says whom it waits for.
-    if (!wish || !(wish->priority < now.priority) || distance(from, wish->to) < 2.0 * kThere) continue;
+    if (!wish || !(wish->priority < now.priority) || is_waiting(*wish, from)) continue;
     out.add({{{from, wish->to}, now.keeps(robot.radius)}, wish->priority, from});
   }
   return out;

@@ -53,8 +53,13 @@ percept::Request tell_wish(const PassageWish& wish);
 std::optional<PassageWish> wish_in(const percept::SharedPlace& shared);
 /// What that robot told within the last seconds.
 std::optional<PassageWish> wish_of(const percept::Percepts& percepts, base::RobotId robot);
-/// Whether somebody near to this robot tells such a wish.
-bool hears_wish(const percept::Percepts& percepts);
+/// Whether who tells it waits there for another one, and wants nothing for itself.
+/// @param here  where it is [m, world]
+bool is_waiting(const PassageWish& wish, geom::Point here);
+/// Whether one of these robots, the nearest first, is near to this one and tells such a wish.
+bool hears_wish(const percept::Percepts& percepts, const flow::ListView<percept::RobotReading>& robots);
+/// Of the gap that bodies keep where there is room, so much at least where somebody takes his turn.
+inline constexpr double kLeastGap = 0.25;
 
 /// What a body does that takes turns with others.
 struct Turn {

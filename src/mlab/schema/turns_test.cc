@@ -134,6 +134,25 @@ TEST(PassageWish, IsNoPlaceOfAThing) {
   EXPECT_EQ(newest_place(percepts, {.bits = ~0U}, 1e9), nullptr);
 }
 
+TEST(PassageWish, IsHeardOfWhoIsNearAndNotLong) {
+  const percept::Request told = tell_wish({{3.0, 0.0}, Priority({12})});
+  const std::vector<percept::SharedPlace> places{{{5}, told.object, told.object_class, told.place, 10.0}};
+  percept::Percepts percepts;
+  percepts.shared_places = places;
+  percepts.time = 11.0;
+  flow::Robots first;
+  first.add(0);
+  const auto hears = [&](std::uint32_t id, double away) {
+    const std::vector<percept::RobotReading> seen{{.id = {id}, .center = {away, 0.0, 0.0}, .radius = 0.2}};
+    return hears_wish(percepts, {first, seen});
+  };
+  EXPECT_TRUE(hears(5, 2.0));
+  EXPECT_FALSE(hears(6, 2.0)) << "who tells nothing";
+  EXPECT_FALSE(hears(5, 9.0)) << "too far away to be in its way";
+  percepts.time = 12.0;
+  EXPECT_FALSE(hears(5, 2.0)) << "that was a while ago";
+}
+
 TEST_F(Turns, NobodyAsksWhoIsAloneOrHasRoom) {
   put({0, 0}, kEast);
   put({0, 5}, kEast);
