@@ -157,9 +157,10 @@ bool Surroundings::hides_somebody(std::size_t which, Point end) const {
 // half of what is between them at least.
 void Surroundings::bar_ends_of_walls() {
   constexpr double kCrowd = 3.0;  // [m]
-  const bool is_among_others =
-      std::ranges::any_of(others_.all(), [](const Other& other) { return other.away < kCrowd; });
-  for (std::size_t i = 0; i < wall_count_ && is_among_others; ++i) {
+  if (wall_count_ == 0 ||
+      std::ranges::none_of(others_.all(), [](const Other& other) { return other.away < kCrowd; }))
+    return;
+  for (std::size_t i = 0; i < wall_count_; ++i) {
     for (const Point end : {walls_[i].a, walls_[i].b}) {
       const double share = 0.5 * std::max(0.0, distance(end, here_) - spacing_.radius);
       if (share < step_ && hides_somebody(i, end)) bars_.add({at_point(end - here_), 0.0, share});

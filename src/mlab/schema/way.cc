@@ -365,6 +365,7 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     const double there = at + kStep * step;
     const geom::Point place = place_at(there);
     if (distance(place, here) >= away && clearing.is_free(place)) return {place, there};
+    // Where the first and the last of places in line are beyond the same edge, none of them is free.
     if (step == 0 && is_beyond(ground.bounds, place, place) && goes_straight(way) && ground.walls.empty() &&
         is_beyond(ground.bounds, place, place_at(std::min(end, at + kStep * kMostPlaces))))
       break;

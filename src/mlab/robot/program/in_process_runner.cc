@@ -1,11 +1,6 @@
 #include "mlab/robot/program/in_process_runner.h"
 
 namespace mlab::robot {
-namespace {
-
-constexpr percept::Action kNothing;
-
-}  // namespace
 
 ProgramRunner::Member InProcessRunner::add(base::RobotId robot, const RobotProgram& program) {
   if (program.program->has_asynchronous() && !async_) async_ = std::make_unique<flow::AsyncRunner>(1);
@@ -34,7 +29,7 @@ void InProcessRunner::needs(std::span<const Member> members, std::span<percept::
 void InProcessRunner::act(std::span<const Turn> turns) {
   for (const Turn& turn : turns) {
     RobotValues& robot = members_[turn.member];
-    turn.action->become(kNothing);
+    turn.action->clear();
     robot.program().step(robot.frame(), *turn.percepts, *turn.action, seed_, robot.robot().value,
                          async_.get(), robot.interventions());
     if (robot.interventions() != nullptr) robot.finish();
