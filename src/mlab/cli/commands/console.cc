@@ -471,8 +471,7 @@ int resume_run(RunOptions options) {
   else
     fmt::print(
         "{} stopped at {:.1f} s, and that run does not go on: {}. Mission, log and people come back, for a "
-        "new "
-        "run.\n",
+        "new run.\n",
         mission, time, text::shown(why, kLongestReason));
   return run_console(options, found->path);
 }
@@ -489,8 +488,7 @@ void mention_resumable(const RunOptions& options) {
   else
     fmt::print(
         "A run of {} that did not end stopped at {:.1f} s, and does not go on: {}. --resume brings back its "
-        "log, "
-        "and what was not saved.\n",
+        "log, and what was not saved.\n",
         mission, time, text::shown(why, kLongestReason));
 }
 
