@@ -59,7 +59,7 @@ set(MLAB_BUSY_MODULES base geom fleet binding simulated run robot library ways s
 set(MLAB_CYCLE_MODULES percept flow schema ways binding sim fleet robot library)
 function(mlab_tune_if_in_cycle name)
   if(name IN_LIST MLAB_CYCLE_MODULES)
-    target_compile_options(mlab_${name} PRIVATE -fno-semantic-interposition -fno-math-errno)
+    target_compile_options(mlab_${name} PRIVATE -fno-semantic-interposition -fno-math-errno -O2)
   endif()
 endfunction()
 
