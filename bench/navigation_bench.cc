@@ -4,7 +4,7 @@
 // processor time for 2,000,000 robot-cycles, and a sum of where all robots are then, which a change that is
 // only to be faster must not change.
 //
-//     navigation_bench [TURNS] [UNITS]
+//     navigation_bench [TURNS] [UNITS] [planned|reactive [open|rocks]]   the last: only these, for a profiler
 
 #include <algorithm>
 #include <bit>
@@ -13,6 +13,7 @@
 #include <ctime>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -93,28 +94,30 @@ std::uint64_t places(const run::MissionRun& run) {
 }
 
 /// Adds what both runs take.
-bool measure(const std::string& map, int units, Took& planned, Took& reactive) {
+/// @param only  empty: both
+bool measure(const std::string& map, int units, std::string_view only, Took& planned, Took& reactive) {
   const auto plans = run_of(mission_of(units, false), map);
   const auto reacts = run_of(mission_of(units, true), map);
   if (!plans || !reacts) return false;
   plans->post(mission::event::Execute{});
   reacts->post(mission::event::Execute{});
   for (int second = 1; second <= kSeconds; ++second) {
-    go_on(*plans, second, planned);
-    go_on(*reacts, second, reactive);
+    if (only != "reactive") go_on(*plans, second, planned);
+    if (only != "planned") go_on(*reacts, second, reactive);
   }
   planned.places = places(*plans);
   reactive.places = places(*reacts);
   return true;
 }
 
-int run_all(int turns, int units) {
+int run_all(int turns, int units, std::string_view only, std::string_view ground) {
   for (const bool has_rocks : {false, true}) {
+    if (ground == (has_rocks ? "open" : "rocks")) continue;
     const std::string map = map_of(units, has_rocks);
     Took planned;
     Took reactive;
     for (int turn = 0; turn < turns; ++turn) {
-      if (!measure(map, units, planned, reactive)) return 1;
+      if (!measure(map, units, only, planned, reactive)) return 1;
     }
     fmt::print("{}: planned {:.2f} s ({:016x}), reactive {:.2f} s ({:016x}): {:.0f} % of the speed\n",
                has_rocks ? "a rock in each way" : "open ground", planned.processor / turns, planned.places,
@@ -130,5 +133,5 @@ int main(int argc, char** argv) {
   const auto number = [&](int place, int otherwise) {
     return argc > place ? std::max(1, std::atoi(argv[place])) : otherwise;
   };
-  return mlab::run_all(number(1, 3), number(2, 1000));
+  return mlab::run_all(number(1, 3), number(2, 1000), argc > 3 ? argv[3] : "", argc > 4 ? argv[4] : "");
 }

@@ -56,10 +56,10 @@ set(MLAB_BUSY_MODULES base geom fleet binding simulated run robot library ways s
 # What a control cycle is spent in. Functions that are called in the source where they stand may be put in place there, though
 # it is compiled for shared libraries, too: nobody exchanges functions of ours when a program starts. And nobody asks `errno`
 # what sqrt thinks of a number. Results stay the same to the last bit.
-set(MLAB_CYCLE_MODULES percept flow schema ways binding sim fleet robot library)
+set(MLAB_CYCLE_MODULES percept flow schema ways binding sim fleet robot library mission run)
 function(mlab_tune_if_in_cycle name)
   if(name IN_LIST MLAB_CYCLE_MODULES)
-    target_compile_options(mlab_${name} PRIVATE -fno-semantic-interposition -fno-math-errno)
+    target_compile_options(mlab_${name} PRIVATE -fno-semantic-interposition -fno-math-errno -O2)
   endif()
 endfunction()
 

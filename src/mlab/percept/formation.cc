@@ -1,5 +1,6 @@
 #include "mlab/percept/formation_names.h"
 
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
@@ -90,10 +91,7 @@ geom::Vector diamond(int rank, int count, double s) {
   return at(rank) - mean;
 }
 
-}  // namespace
-
-geom::Vector station(Formation formation, int rank, int count, double spacing) {
-  if (count <= 1) return {};
+geom::Vector computed_station(Formation formation, int rank, int count, double spacing) {
   switch (formation) {
     case Formation::kLine:
     case Formation::kLineLeft:
@@ -114,6 +112,27 @@ geom::Vector station(Formation formation, int rank, int count, double spacing) {
       break;
   }
   return {};
+}
+
+}  // namespace
+
+// Each robot asks for its own several times a cycle, and its neighbours for theirs: each thread remembers
+// some.
+geom::Vector station(Formation formation, int rank, int count, double spacing) {
+  if (count <= 1) return {};
+  struct Known {
+    Formation formation = Formation::kNone;
+    int rank = 0;
+    int count = 0;
+    double spacing = 0.0;
+    geom::Vector place;
+  };
+  constexpr std::size_t kHeld = 16;
+  thread_local std::array<Known, kHeld> held;
+  Known& one = held[static_cast<std::size_t>(rank) % kHeld];
+  if (one.formation != formation || one.rank != rank || one.count != count || one.spacing != spacing)
+    one = {formation, rank, count, spacing, computed_station(formation, rank, count, spacing)};
+  return one.place;
 }
 
 std::string_view name(Formation formation) {

@@ -203,17 +203,22 @@ bool is_beyond(const ways::Bounds& area, geom::Point a, geom::Point b) {
   return at < way.length ? from + (way.corners[1] - from) * (at / way.length) : way.corners[1];
 }
 
-/// As plan_way, but for the way's length.
+/// Most ways do, and all of what follows comes to the same then.
+bool leads_straight(const ways::Clearing& wide, geom::Point from, geom::Point goal) {
+  return wide.is_free(from) && wide.is_free(goal) && wide.is_free(geom::Segment{from, goal});
+}
+
+void lead_straight(geom::Point from, geom::Point goal, double clearance, PlannedWay& out) {
+  add(out, from);
+  add(out, goal);
+  out.clearance = clearance;
+  out.end = WayEnd::kGoal;
+}
+
+/// As plan_way, where more than one piece may be needed, and but for the way's length.
 PlannedWay find_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
                     double margin) {
   PlannedWay out;
-  if (ground.revision == 0 || !is_finite(from) || !is_finite(goal)) {
-    add(out, from);
-    add(out, goal);
-    out.clearance = radius + margin;
-    out.end = WayEnd::kGoal;
-    return out;
-  }
   const ways::Clearances clearances(radius, margin);
   const double least = clearances.least();
   const auto tight = sites().at(ground, least);
@@ -236,6 +241,35 @@ PlannedWay find_way(const percept::KnownGround& ground, geom::Point from, geom::
   return out;
 }
 
+/// What a way depends on.
+struct Question {
+  std::uint64_t revision = 0;  // of the ground
+  geom::Point from;
+  geom::Point goal;
+  double radius = 0.0;
+  double margin = 0.0;
+
+  friend bool operator==(const Question&, const Question&) = default;
+};
+
+/// As plan_way, likewise. The robots of a unit ask for its way one after the other.
+PlannedWay remembered_way(const Question& asked, const percept::KnownGround& ground) {
+  struct Answer {
+    Question question;  // of revision 0: none
+    PlannedWay way;
+  };
+  constexpr std::size_t kHeld = 4;
+  thread_local std::array<Answer, kHeld> held;
+  thread_local std::size_t next = 0;
+  const auto known = std::ranges::find(held, asked, &Answer::question);
+  if (known != held.end()) return known->way;
+  Answer& fresh = held[next++ % kHeld];
+  fresh.way = find_way(ground, asked.from, asked.goal, asked.radius, asked.margin);
+  fresh.way.length = route_length(fresh.way.points());
+  fresh.question = asked;
+  return fresh.way;
+}
+
 /// As plan_route, but for the way's length.
 PlannedWay find_route(const percept::KnownGround& ground, geom::Point from,
                       std::span<const geom::Point> corners, double radius, double margin) {
@@ -245,7 +279,7 @@ PlannedWay find_route(const percept::KnownGround& ground, geom::Point from,
   geom::Point here = from;
   for (const geom::Point& corner : corners) {
     const bool is_last = &corner == &corners.back();
-    const PlannedWay leg = find_way(ground, here, corner, radius, margin);
+    const PlannedWay leg = plan_way(ground, here, corner, radius, margin);
     if (!is_last && (leg.end == WayEnd::kClosedOff || leg.end == WayEnd::kNowhere)) continue;
     for (const geom::Point point : leg.points()) add(out, point);
     if (leg.count > 0) {
@@ -272,7 +306,15 @@ geom::Point place_outside(const percept::Percepts& percepts, double keep) {
 
 PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal, double radius,
                     double margin) {
-  PlannedWay out = find_way(ground, from, goal, radius, margin);
+  PlannedWay out;
+  if (ground.revision == 0 || !is_finite(from) || !is_finite(goal)) {
+    lead_straight(from, goal, radius + margin, out);
+  } else if (const double wide = ways::Clearances(radius, margin).widest();
+             leads_straight(sites().at(ground, wide)->clearing(), from, goal)) {
+    lead_straight(from, goal, wide, out);
+  } else {
+    return remembered_way({ground.revision, from, goal, radius, margin}, ground);
+  }
   out.length = route_length(out.points());
   return out;
 }
