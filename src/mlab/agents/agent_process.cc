@@ -427,7 +427,9 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
     if (!program) return fmt::format("`{}` {}", text::shown(settings.offered), program.error());
     executable = std::move(program->executable);
   }
-  auto roster = Roster::join(settings.network, Watch::kLoosely);
+  dds::Network network = settings.network;
+  network.avoids_neighbours = true;
+  auto roster = Roster::join(network, Watch::kLoosely);
   if (!roster) return roster.error();
   // All before others have found this one: they learn of it at once, and in one go.
   auto waiter = dds::Waiter::make();
