@@ -224,6 +224,11 @@ std::string partition_of(std::string_view fleet) {
   return fmt::format("mlab/{}", fleet);
 }
 
+std::string own_address_on(const Network& network) {
+  const auto own = interface_called(network.interface_name);
+  return own ? text_of(own->address) : std::string();
+}
+
 bool is_loopback_only(const Network& network) {
   const auto own = interface_called(network.interface_name);
   return own && own->is_loopback;

@@ -40,6 +40,9 @@ int domain_of(std::string_view fleet);
 /// (DDS's domain tag), and none of their topics would match (DDS's partition).
 std::string partition_of(std::string_view fleet);
 
+/// This machine's address on the network; empty: it has none at present.
+std::string own_address_on(const Network& network);
+
 /// Whether the network is this machine alone: no interface is named, or the loopback is.
 bool is_loopback_only(const Network& network);
 

@@ -55,6 +55,8 @@ TEST(DdsNetwork, AnInterfaceMayBeToldByNameOrAddress) {
   EXPECT_EQ(configuration_of(network), configuration_of(fleet_called("alpha")));
   network.interface_name = "127.0.0.1";
   EXPECT_TRUE(is_loopback_only(network));
+  EXPECT_EQ(own_address_on(network), "127.0.0.1");
+  EXPECT_EQ(own_address_on(fleet_called("alpha")), "127.0.0.1");
   network.peers = {"127.0.0.2"};
   EXPECT_NE(configuration_of(network).value().find("<Peer address=\"127.0.0.2\"/>"), std::string::npos);
 }
