@@ -474,7 +474,7 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!echoes) return echoes.error();
   auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
   if (!presence) return presence.error();
-  auto life = SignsOfLife::open(participant, settings.name);
+  auto life = SignsOfLife::open(participant, network, settings.name);
   if (!life) return life.error();
   const auto is_taken = [&](const std::vector<Member>& members) {
     return std::ranges::any_of(members, [&](const Member& one) {
