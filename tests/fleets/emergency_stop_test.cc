@@ -208,6 +208,8 @@ TEST_F(EmergencyStop, NamesAnAgentThatWasKilledBeforeByWhatAnotherOneOfItsMachin
   {
     Process near = called("near", "north");
     ASSERT_TRUE(near.prints("waits for runs", kFleetPatience)) << near.output() << near.errors();
+    const auto seen = net().host("north").path(std::string(kAgentState) + "/mlab/agents/alpha@near.seen");
+    while (!std::filesystem::exists(seen)) std::this_thread::sleep_for(20ms);  // just after it is ready
     ASSERT_TRUE(near.signal(SIGKILL));
     ASSERT_TRUE(near.wait(kFleetPatience));
   }
@@ -216,7 +218,8 @@ TEST_F(EmergencyStop, NamesAnAgentThatWasKilledBeforeByWhatAnotherOneOfItsMachin
        stopped.errors.find("`near`") == std::string::npos && network::Clock::now() < end;)
     stopped = fleet({"--stop"});
   EXPECT_EQ(stopped.ending, "exit status 1");
-  EXPECT_NE(stopped.errors.find("not confirmed by `near` (known by agent north, last heard "), std::string::npos)
+  EXPECT_NE(stopped.errors.find("not confirmed by `near` (known by agent north, last heard "),
+            std::string::npos)
       << stopped.errors;
   EXPECT_EQ(fleet({"--release"}).ending, "exit status 0");
 }

@@ -17,7 +17,8 @@ namespace mlab::agents {
 
 NameClaim::NameClaim(std::string_view fleet, std::string_view name) {
   // Both names together may be longer than an address.
-  const std::string address = fmt::format("mlab-agent-{:016x}", base::hash_text(fmt::format("{}@{}", fleet, name)));
+  const std::string address =
+      fmt::format("mlab-agent-{:016x}", base::hash_text(fmt::format("{}@{}", fleet, name)));
   sockaddr_un own{};
   own.sun_family = AF_UNIX;
   static_assert(sizeof own.sun_path > 1 + 11 + 16);

@@ -4,8 +4,9 @@
 
 namespace mlab::agents {
 
-/// Holds an agent's name in a fleet on this machine (its network namespace) against agents of other users too:
-/// they do not meet on the network. By a socket in Linux's abstract namespace, which goes with its process.
+/// Holds an agent's name in a fleet on this machine (its network namespace) against agents of other users
+/// too: they do not meet on the network. By a socket in Linux's abstract namespace, which goes with its
+/// process.
 class NameClaim {
  public:
   NameClaim(std::string_view fleet, std::string_view name);

@@ -49,10 +49,9 @@ std::optional<std::string> name_in(const std::string& file, std::string_view bef
 
 std::string company_of(const dds::Network& network) {
   std::error_code failure;
-  const std::string parts[] = {text_in("/proc/sys/kernel/random/boot_id"),
-                               fs::read_symlink("/proc/self/ns/net", failure).string(),
-                               dds::own_address_on(network),
-                               network.security ? text_in(network.security->authority) : std::string()};
+  const std::string parts[] = {
+      text_in("/proc/sys/kernel/random/boot_id"), fs::read_symlink("/proc/self/ns/net", failure).string(),
+      dds::own_address_on(network), network.security ? text_in(network.security->authority) : std::string()};
   std::uint64_t hash = base::hash_text(network.security ? "secured" : "open");
   for (const std::string& part : parts) hash = base::hash_text(part, base::mix_bits(hash + part.size()));
   return fmt::format("{:016x}", hash);
@@ -75,10 +74,12 @@ fs::path Siblings::file(const std::string& name, const char* what) const {
 }
 
 Siblings::Stamp Siblings::stamp_of(const fs::path& file) {
-  struct stat about {};
+  struct stat about{};
   if (::stat(file.c_str(), &about) != 0) return {};
-  const auto since = std::chrono::seconds(about.st_mtim.tv_sec) + std::chrono::nanoseconds(about.st_mtim.tv_nsec);
-  return {about.st_ino, std::chrono::file_clock::from_sys(std::chrono::sys_time<std::chrono::nanoseconds>(since))};
+  const auto since =
+      std::chrono::seconds(about.st_mtim.tv_sec) + std::chrono::nanoseconds(about.st_mtim.tv_nsec);
+  return {about.st_ino,
+          std::chrono::file_clock::from_sys(std::chrono::sys_time<std::chrono::nanoseconds>(since))};
 }
 
 const std::vector<Sibling>& Siblings::look() {
@@ -123,7 +124,8 @@ void Siblings::look_into_folder() {
       known.sibling.name = name;
       known.seen = stamp_of(file(name, kSeen.data()));
       const auto age = fs::file_time_type::clock::now() - known.seen.written;
-      known.sibling.heard = Clock::now() - std::chrono::duration_cast<Clock::duration>(std::max(age, age.zero()));
+      known.sibling.heard =
+          Clock::now() - std::chrono::duration_cast<Clock::duration>(std::max(age, age.zero()));
     }
     if (known.company.empty()) look_at_company(name, known);
     if (keep_one.contains(name)) {

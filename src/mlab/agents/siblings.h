@@ -22,9 +22,9 @@ namespace mlab::agents {
 /// How often an agent notes that it is there.
 inline constexpr std::chrono::seconds kSeenEvery(10);
 
-/// Who can tell each other something this way: agents of one machine as the network sees it, on one interface,
-/// and in a secured fleet of one authority. So nothing that strangers say in a fleet of the same name that is
-/// not secured gets into one that is.
+/// Who can tell each other something this way: agents of one machine as the network sees it, on one
+/// interface, and in a secured fleet of one authority. So nothing that strangers say in a fleet of the same
+/// name that is not secured gets into one that is.
 std::string company_of(const dds::Network& network);
 
 /// Another agent of this machine.

@@ -108,7 +108,12 @@ TEST_F(SiblingsTest, KeepCompanyOnOneInterfaceAndUnderOneAuthority) {
   other.interface_name = "nosuch0";
   EXPECT_NE(company_of(open), company_of(other));
   dds::Network secured = open;
-  secured.security = dds::Security{.authority = folder_ / "ours", .certificate = {}, .key = {}, .governance = {}, .permissions = {}, .withdrawn = {}};
+  secured.security = dds::Security{.authority = folder_ / "ours",
+                                   .certificate = {},
+                                   .key = {},
+                                   .governance = {},
+                                   .permissions = {},
+                                   .withdrawn = {}};
   EXPECT_NE(company_of(open), company_of(secured)) << "also where the authority can't be read";
   std::ofstream(folder_ / "ours") << "ours";
   std::ofstream(folder_ / "theirs") << "theirs";
@@ -162,7 +167,8 @@ TEST_F(SiblingsTest, HearOfAStopAndItsReleaseFromEachOther) {
   const StopState stopped = pulled({}, "ada");
   keep("south", stopped);
   EXPECT_TRUE(north.tells("EMERGENCY STOP by ada: all robots here stand"));
-  EXPECT_EQ(StopFile(stop_of("north")).read().standing.size(), 1U) << "nobody is there who says the other one";
+  EXPECT_EQ(StopFile(stop_of("north")).read().standing.size(), 1U)
+      << "nobody is there who says the other one";
   fs::remove(stop_of("gone"));
   fs::remove(seen_of("gone"));
 

@@ -71,8 +71,7 @@ TEST(DdsGarbage, ChangesNothing) {
   reads.take();
   const Stranger stranger;
   constexpr int kPorts = 12;  // of the last places of a machine, which participants take first
-  const int first_port =
-      7400 + 250 * domain_of(fleet_of_this_process()) + 10 + 2 * kMaxParticipants - kPorts;
+  const int first_port = 7400 + 250 * domain_of(fleet_of_this_process()) + 10 + 2 * kMaxParticipants - kPorts;
   for (std::uint64_t i = 0; i < 3000; ++i) {
     // Those of the first participants of the domain: ours are among them unless other tests have the same.
     const int port = first_port + static_cast<int>(i % kPorts);

@@ -126,10 +126,10 @@ std::expected<Interface, std::string> interface_called(const std::string& name) 
 
 /// How participants find each other, and what is sent to all at once.
 struct Finding {
-  bool has_multicast = false;      // of the interface, as Cyclone is told
-  const char* allowed = "false";   // multicast, as Cyclone calls it
-  bool is_heard_here = true;       // what goes to the group, by this machine, too
-  std::string peers = {};          // addresses that it says to that it is there
+  bool has_multicast = false;     // of the interface, as Cyclone is told
+  const char* allowed = "false";  // multicast, as Cyclone calls it
+  bool is_heard_here = true;      // what goes to the group, by this machine, too
+  std::string peers = {};         // addresses that it says to that it is there
   milliseconds says_it_is_there = kSaysItIsThereEvery;
 };
 
@@ -155,8 +155,8 @@ Finding finding_on_loopback(const Interface& own, bool avoids_neighbours) {
   return out;
 }
 
-/// On a network others are found by multicast, where there is any, and data goes to each by itself, since radio
-/// sends multicast slowly and once.
+/// On a network others are found by multicast, where there is any, and data goes to each by itself, since
+/// radio sends multicast slowly and once.
 Finding finding_on_network(const Interface& own, bool avoids_neighbours) {
   Finding out{.has_multicast = own.has_multicast};
   if (own.has_multicast) out.allowed = "spdp";
@@ -193,7 +193,8 @@ bool is_of_this_machine(in_addr address) {
                              [&](const Interface& one) { return one.address.s_addr == address.s_addr; });
 }
 
-/// The addresses at which others are looked for as the network names them, as they stand in the configuration.
+/// The addresses at which others are looked for as the network names them, as they stand in the
+/// configuration.
 std::expected<std::string, std::string> peers_of(const Network& network, const Interface& own) {
   if (network.peers.size() > kMaxPeers)
     return std::unexpected(
@@ -259,8 +260,8 @@ std::expected<std::string, std::string> configuration_of(const Network& network,
       "<Tracing><Verbosity>none</Verbosity></Tracing>"
       "</Domain></CycloneDDS>",
       text_of(own->address), finding.has_multicast, finding.allowed, finding.is_heard_here,
-      domain_of(network.fleet), network.fleet, place ? std::to_string(*place) : "auto", kMaxParticipants - 1, finding.peers, *peers,
-      kGivenUpAfter.count(), finding.says_it_is_there.count(),
+      domain_of(network.fleet), network.fleet, place ? std::to_string(*place) : "auto", kMaxParticipants - 1,
+      finding.peers, *peers, kGivenUpAfter.count(), finding.says_it_is_there.count(),
       kMaxBody + kEnvelopeBytes, repetition(network.security ? kSecured : kUnsecured),
       network.lost_of_thousand);
 }

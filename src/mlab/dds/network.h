@@ -22,8 +22,8 @@ struct Network {
   std::vector<std::string> peers;
   /// For trials: of a thousand packets that this participant sends, so many are dropped by chance.
   int lost_of_thousand = 0;
-  /// It does not meet those of this machine of which this is true, too, but everybody else: fifty agents of one
-  /// machine would be busy with each other alone, at rest as well.
+  /// It does not meet those of this machine of which this is true, too, but everybody else: fifty agents of
+  /// one machine would be busy with each other alone, at rest as well.
   bool avoids_neighbours = false;
   /// By what it proves who it is; then it talks to those only who prove it, too, and all is encrypted.
   std::optional<Security> security = std::nullopt;

@@ -37,11 +37,8 @@ Participant participant(int lost_of_thousand, const std::string& fleet) {
 }
 
 Participant avoiding_participant(const std::string& fleet) {
-  return surely(Participant::open({.fleet = fleet,
-                                   .interface_name = {},
-                                   .peers = {},
-                                   .lost_of_thousand = 0,
-                                   .avoids_neighbours = true}));
+  return surely(Participant::open(
+      {.fleet = fleet, .interface_name = {}, .peers = {}, .lost_of_thousand = 0, .avoids_neighbours = true}));
 }
 
 Waiter waiter() {
