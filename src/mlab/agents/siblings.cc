@@ -26,7 +26,7 @@ constexpr std::string_view kSeen = ".seen";
 /// Between two looks at who is there.
 constexpr std::chrono::seconds kRollCall(2);
 /// Who has not noted for so long that he is there isn't.
-constexpr std::chrono::seconds kNotedUntil = kSeenEvery + std::chrono::seconds(3);
+constexpr std::chrono::seconds kMissingAfter = kSeenEvery + std::chrono::seconds(3);
 constexpr int kLooks = 3;
 /// More are not looked at: as many participants have place on a machine.
 constexpr std::size_t kMostSiblings = dds::kMaxParticipants;
@@ -69,8 +69,8 @@ Siblings::Siblings(const std::string& stop_file, std::string company) : company_
   own_ = *own_name;
 }
 
-fs::path Siblings::file(const std::string& name, const char* what) const {
-  return folder_ / (before_ + name + what);
+fs::path Siblings::file(const std::string& name, std::string_view what) const {
+  return folder_ / fmt::format("{}{}{}", before_, name, what);
 }
 
 Siblings::Stamp Siblings::stamp_of(const fs::path& file) {
@@ -94,7 +94,7 @@ const std::vector<Sibling>& Siblings::look() {
   if (now >= next_roll_call_) {
     next_roll_call_ = now + kRollCall;
     for (auto& [name, known] : known_) {
-      const Stamp seen = stamp_of(file(name, kSeen.data()));
+      const Stamp seen = stamp_of(file(name, kSeen));
       if (seen == known.seen) continue;
       known.seen = seen;
       known.sibling.heard = now;
@@ -122,10 +122,10 @@ void Siblings::look_into_folder() {
     Known& known = at->second;
     if (is_new) {
       known.sibling.name = name;
-      known.seen = stamp_of(file(name, kSeen.data()));
-      const auto age = fs::file_time_type::clock::now() - known.seen.written;
-      known.sibling.heard =
-          Clock::now() - std::chrono::duration_cast<Clock::duration>(std::max(age, age.zero()));
+      known.seen = stamp_of(file(name, kSeen));
+      const auto age =
+          std::chrono::duration_cast<Clock::duration>(fs::file_time_type::clock::now() - known.seen.written);
+      known.sibling.heard = Clock::now() - std::max(age, Clock::duration::zero());
     }
     if (known.company.empty()) look_at_company(name, known);
     if (keep_one.contains(name)) {
@@ -139,11 +139,11 @@ void Siblings::look_into_folder() {
 
 void Siblings::look_at_company(const std::string& name, Known& known) const {
   std::uint64_t when = 0;
-  std::ifstream(file(name, kSeen.data())) >> when >> known.company;
+  std::ifstream(file(name, kSeen)) >> when >> known.company;
 }
 
 void Siblings::look_at_stop(const std::string& name, Known& known) const {
-  const fs::path kept = file(name, kStop.data());
+  const fs::path kept = file(name, kStop);
   const Stamp stamp = stamp_of(kept);
   if (stamp == known.stop) return;
   // One that can't be read is its agent's to make something of.
@@ -156,7 +156,7 @@ void Siblings::look_at_stop(const std::string& name, Known& known) const {
 void Siblings::look_who_is_there(Clock::time_point now) {
   all_.clear();
   for (auto& [name, known] : known_) {
-    known.sibling.is_there = now - known.sibling.heard < kNotedUntil;
+    known.sibling.is_there = now - known.sibling.heard < kMissingAfter;
     if (known.company == company_) all_.push_back(known.sibling);
   }
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mlab/agents/roster.h"
@@ -65,7 +66,7 @@ class Siblings {
   void look_who_is_there(Clock::time_point now);
   void look_at_company(const std::string& name, Known& known) const;
   void look_at_stop(const std::string& name, Known& known) const;
-  std::filesystem::path file(const std::string& name, const char* what) const;
+  std::filesystem::path file(const std::string& name, std::string_view what) const;
 
   std::filesystem::path folder_;  // empty: there is nobody
   std::string before_;            // in front of a sibling's name
