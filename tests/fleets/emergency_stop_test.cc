@@ -186,6 +186,11 @@ TEST_F(EmergencyStop, IsToldByAgentsOfOneMachineToEachOther) {
   const Process north = agent("north");
   const Process near = called("near", "north");
   ASSERT_TRUE(near.prints("waits for runs", kFleetPatience)) << near.output() << near.errors();
+  Process list = net().host("north").start(
+      {MLAB_COMMAND, "fleet", "alpha", "--network", net().host("north").address(), "--once"});
+  ASSERT_TRUE(list.wait(kFleetPatience));
+  EXPECT_TRUE(list.output().contains("north") && list.output().contains("near"))
+      << "both are seen on their own machine, too: " << list.output() << list.errors();
   const auto while_it_sleeps = [&](const std::string& option) {
     ASSERT_TRUE(near.signal(SIGSTOP));
     fleet({option});
