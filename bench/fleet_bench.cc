@@ -4,8 +4,8 @@
 //     fleet_bench lock-step [ROBOTS] [AGENTS] [SECONDS]       robot-cycles per second, as a run has them
 //     fleet_bench real-time [ROBOTS] [AGENTS] [SECONDS] [HZ]  from percepts to the action that answers them
 //     fleet_bench stop [ROBOTS] [AGENTS] [PULLS] [LOST_OF_THOUSAND]  from the emergency stop to `stand`
-//     fleet_bench join [AGENTS]                               until all are found, and have found each other
-//     fleet_bench rest [AGENTS] [SECONDS]                     what a fleet takes that does nothing
+//     fleet_bench join [AGENTS]                               until somebody who begins with them has found
+//     all fleet_bench rest [AGENTS] [SECONDS]                     what a fleet takes that does nothing
 //
 // With --secure as the last word the fleet is a secured one, and all agents have the same identity.
 
@@ -171,7 +171,7 @@ class Fleet {
       return members.size() == agents;
     };
     if (!roster_->wait(are_there, Clock::now() + std::chrono::seconds(60)))
-      give_up("not all agents have found each other");
+      give_up("not all agents were found");
   }
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
@@ -180,10 +180,11 @@ class Fleet {
     for (const pid_t agent : agents_) ::waitpid(agent, nullptr, 0);
   }
   const std::shared_ptr<agents::Roster>& roster() const { return roster_; }
-  /// Waits until all agents have found each other, too: they are busy with that as long as it takes.
+  /// Waits until agents and this process have told each other all that there is to tell once somebody is
+  /// found: as long as they are busy with it.
   void settle() const {
     constexpr auto kGlance = std::chrono::milliseconds(250);
-    constexpr double kMost = 0.75;  // of one processor; fifty that rest take less
+    constexpr double kMost = 0.4;  // of one processor; fifty that rest take half of that
     double before = processor_time();
     for (int quiet = 0; quiet < 2;) {
       std::this_thread::sleep_for(kGlance);

@@ -180,6 +180,56 @@ TEST_F(EmergencyStop, NamesAnAgentThatOnlyOthersHaveHeard) {
   EXPECT_EQ(again.ending, "exit status 0") << again.errors;
 }
 
+// Agents of one machine do not meet on its network.
+TEST_F(EmergencyStop, IsToldByAgentsOfOneMachineToEachOther) {
+  make_network(44);
+  const Process north = agent("north");
+  const Process near = called("near", "north");
+  ASSERT_TRUE(near.prints("waits for runs", kFleetPatience)) << near.output() << near.errors();
+  Process list = net().host("north").start(
+      {MLAB_COMMAND, "fleet", "alpha", "--network", net().host("north").address(), "--once"});
+  ASSERT_TRUE(list.wait(kFleetPatience));
+  EXPECT_TRUE(list.output().contains("north") && list.output().contains("near"))
+      << "both are seen on their own machine, too: " << list.output() << list.errors();
+  const auto while_it_sleeps = [&](const std::string& option) {
+    ASSERT_TRUE(near.signal(SIGSTOP));
+    fleet({option});
+    net().isolate(net().host("north"));  // nobody else can tell it
+    ASSERT_TRUE(near.signal(SIGCONT));
+  };
+  while_it_sleeps("--stop");
+  EXPECT_TRUE(north.prints("EMERGENCY STOP by base: all robots here stand", kFleetPatience));
+  EXPECT_TRUE(near.prints("EMERGENCY STOP by base: all robots here stand", kFleetPatience)) << near.output();
+  net().join(net().host("north"));
+  while_it_sleeps("--release");
+  EXPECT_TRUE(north.prints("the emergency stop was released by base", kFleetPatience));
+  EXPECT_TRUE(near.prints("the emergency stop was released by base", kFleetPatience)) << near.output();
+  net().join(net().host("north"));
+}
+
+TEST_F(EmergencyStop, NamesAnAgentThatWasKilledBeforeByWhatAnotherOneOfItsMachineSays) {
+  make_network(45);
+  const Process north = agent("north");
+  {
+    Process near = called("near", "north");
+    ASSERT_TRUE(near.prints("waits for runs", kFleetPatience)) << near.output() << near.errors();
+    const auto seen = net().host("north").path(std::string(kAgentState) + "/mlab/agents/alpha@near.seen");
+    while (!std::filesystem::exists(seen)) std::this_thread::sleep_for(20ms);  // just after it is ready
+    ASSERT_TRUE(near.signal(SIGKILL));
+    ASSERT_TRUE(near.wait(kFleetPatience));
+  }
+  Said stopped;
+  for (const auto end = network::Clock::now() + kFleetPatience;
+       stopped.errors.find("`near`") == std::string::npos && network::Clock::now() < end;)
+    stopped = fleet({"--stop"});
+  EXPECT_EQ(stopped.ending, "exit status 1");
+  EXPECT_NE(stopped.errors.find("not confirmed by `near` (known by agent north, last heard "),
+            std::string::npos)
+      << stopped.errors;
+  fleet({"--release"});
+  EXPECT_TRUE(north.prints("the emergency stop was released by base", kFleetPatience)) << north.output();
+}
+
 TEST_F(EmergencyStop, NamesAnAgentThatARunHasRobotsAt) {
   make_network(37);
   const Process south = agent("south");

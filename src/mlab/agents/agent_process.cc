@@ -21,8 +21,10 @@
 #include "mlab/agents/dds_live_line.h"
 #include "mlab/agents/echo.h"
 #include "mlab/agents/missed.h"
+#include "mlab/agents/name_claim.h"
 #include "mlab/agents/roster.h"
 #include "mlab/agents/seniority.h"
+#include "mlab/agents/siblings.h"
 #include "mlab/agents/signs_of_life.h"
 #include "mlab/agents/stop_state.h"
 #include "mlab/agents/topics.h"
@@ -95,9 +97,12 @@ class AgentProcess {
     Clock::time_point next_beat = Clock::now();
     if (const auto why = stop_file_.why_not_kept())
       settings_.log->add(fmt::format("warning: an emergency stop will not outlive this agent: {}", *why));
-    if (stop_.is_engaged())
+    if (stop_.is_engaged()) {
       settings_.log->add(
           fmt::format("EMERGENCY STOP by {}: it still holds, all robots here stand", stop_.by()));
+      // One that could not be read is to have the same identity for all, also for the siblings.
+      keep();
+    }
     std::optional<std::string> problem;
     while (!stop.stop_requested() && !problem) {
       if (Clock::now() >= next_beat) {
@@ -253,11 +258,23 @@ class AgentProcess {
     for (const Member& one : roster_->members()) {
       if (one.state != Member::State::kGone) heed(decode(one.said.stop()));
     }
+    for (const Sibling& one : siblings_.look()) {
+      if (one.is_there && one.stop.number > 0) heed(one.stop);
+    }
   }
 
+  // One of this machine that is there can be reached by whoever pulls the stop, and confirms it.
   void tell_whom_it_misses() {
     std::vector<Member> others = roster_->members();
     std::erase_if(others, [&](const Member& one) { return one.said.name() == settings_.name; });
+    for (const Sibling& one : siblings_.all()) {
+      if (one.is_there) continue;
+      Member& member = others.emplace_back();
+      member.said.set_name(one.name);
+      member.said.set_host(machine_name());
+      member.state = Member::State::kSilent;
+      member.heard = one.heard;
+    }
     missed_.say(missed_among(std::move(others), stop_, Clock::now()));
   }
 
@@ -307,7 +324,16 @@ class AgentProcess {
       const bool is_forgotten = one.state == Member::State::kGone && now - one.heard >= kMissedFor;
       return !one.has_left && !is_forgotten && !has_confirmed(one.said.stop(), stop_);
     };
-    if (std::ranges::none_of(roster_->members(), may_hold_it)) stop_file_.remove();
+    const auto holds_it = [&](const Sibling& one) {
+      return one.stop.is_engaged() && (one.is_there || now - one.heard < kMissedFor);
+    };
+    if (std::ranges::any_of(roster_->members(), may_hold_it) ||
+        std::ranges::any_of(siblings_.all(), holds_it)) {
+      // A sibling learns of the release from the file, also one that has heard of an old stop just now.
+      if (!stop_file_.is_there()) static_cast<void>(stop_file_.write(stop_));
+    } else {
+      stop_file_.remove();
+    }
   }
 
   // Two that began at the same moment, or on networks that are one now, have not heard each other before: one
@@ -396,6 +422,7 @@ class AgentProcess {
   std::unique_ptr<SignsOfLife> life_;
   MissedTeller missed_;
   StopFile stop_file_{settings_.stop_file};
+  Siblings siblings_{settings_.stop_file, company_of(settings_.network)};
   StopState stop_ = stop_file_.read();
   std::atomic<bool> is_stopped_ = stop_.is_engaged();
   std::string not_kept_;  // why the stop that holds would be forgotten in a restart; empty: it would not be
@@ -427,7 +454,12 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
     if (!program) return fmt::format("`{}` {}", text::shown(settings.offered), program.error());
     executable = std::move(program->executable);
   }
-  auto roster = Roster::join(settings.network, Watch::kLoosely);
+  // Those of this machine are siblings.h's.
+  dds::Network network = settings.network;
+  network.avoids_neighbours = true;
+  const NameClaim name(settings.network.fleet, settings.name);
+  if (name.is_taken()) return name_is_taken(settings, machine_name());
+  auto roster = Roster::join(network, Watch::kLoosely);
   if (!roster) return roster.error();
   // All before others have found this one: they learn of it at once, and in one go.
   auto waiter = dds::Waiter::make();
@@ -442,7 +474,7 @@ std::optional<std::string> serve_as_agent(const AgentSettings& settings, const s
   if (!echoes) return echoes.error();
   auto presence = participant.writer(kPresenceTopic, dds::ChannelKind::kPresence);
   if (!presence) return presence.error();
-  auto life = SignsOfLife::open(participant, settings.name);
+  auto life = SignsOfLife::open(participant, network, settings.name);
   if (!life) return life.error();
   const auto is_taken = [&](const std::vector<Member>& members) {
     return std::ranges::any_of(members, [&](const Member& one) {

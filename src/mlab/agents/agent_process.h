@@ -50,7 +50,7 @@ struct AgentSettings {
   std::string offered = {};
   std::optional<OfferedVehicle> vehicle = {};  ///< nothing: it is no vehicle's, but carries programs
   /// File that an emergency stop is kept in, so that the agent still stands when it is started again; empty:
-  /// it is not kept.
+  /// it is not kept. Those of the machine's other agents lie beside it (siblings.h).
   std::string stop_file = {};
   std::shared_ptr<AgentLog> log;         ///< gets what a person at this machine is to know; not null
   std::function<void()> tell_stop = {};  ///< called when the emergency stop was pulled or released

@@ -77,9 +77,10 @@ Roster::~Roster() {
 }
 
 void Roster::listen(const std::stop_token& stop) {
-  constexpr std::chrono::milliseconds kGlance(250);  // between two looks at who is silent
+  // Between two looks at who is silent. Signs of life wake nobody.
+  const std::chrono::milliseconds glance(life_ ? 250 : 1000);
   while (!stop.stop_requested()) {
-    waiter_.wait(kGlance);
+    waiter_.wait(glance);
     const std::vector<dds::Arrival> signs = life_ ? life_->take() : std::vector<dds::Arrival>();
     const std::vector<dds::Arrival> arrivals = reader_.take();
     const std::scoped_lock lock(mutex_);
@@ -155,7 +156,7 @@ void Roster::take_sign_of_life(const dds::Arrival& arrival) {
   Member* const member = of(arrival.sender);
   if (member == nullptr || member->state == Member::State::kGone) return;
   if (arrival.kind == Kind::kSilent) set(*member, Member::State::kSilent);
-  if (arrival.kind != Kind::kMessage) return;
+  if (arrival.kind != Kind::kMessage && arrival.kind != Kind::kAlive) return;
   member->heard = arrival.noticed;
   set(*member, Member::State::kThere);
 }

@@ -233,6 +233,11 @@ std::optional<std::string> StopFile::why_not_kept() const {
   return problem;
 }
 
+bool StopFile::is_there() const {
+  std::error_code failure;
+  return !path_.empty() && fs::exists(path_, failure);
+}
+
 void StopFile::remove() const {
   std::error_code failure;
   if (!path_.empty() && fs::remove(path_, failure)) sync_folder(fs::path(path_).parent_path());

@@ -70,6 +70,7 @@ class StopFile {
   StopState read() const;
   /// On the disk when this comes back. @errors  a sentence; what was kept before is left, and nothing else
   std::optional<std::string> write(const StopState& state) const;
+  bool is_there() const;
   /// Where there is one.
   void remove() const;
   /// Why it will not outlive the agent, as far as that can be known before; nothing: it will. Tries to write

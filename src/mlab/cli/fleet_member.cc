@@ -21,6 +21,7 @@
 #include <fmt/core.h>
 
 #include "mlab/agents/ending_watchdog.h"
+#include "mlab/agents/siblings.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/interrupt.h"
@@ -84,11 +85,14 @@ class NameHold {
 };
 
 /// When an agent was there last, on the disk: an agent that did not end in order, because its machine had no
-/// power say, tells of it when it is back.
+/// power say, tells of it when it is back. Other agents of the machine see by it who is there (siblings.h).
 class LastSeen {
  public:
   /// @param file  empty: it is not kept
   explicit LastSeen(std::string file) : file_(std::move(file)) {}
+
+  /// Whom it tells something; while nobody notes.
+  void set_company(std::string company) { company_ = std::move(company); }
 
   void tell_gap(agents::AgentLog& log) const {
     std::ifstream stream(file_);
@@ -109,7 +113,7 @@ class LastSeen {
     std::error_code failure;
     std::filesystem::create_directories(std::filesystem::path(file_).parent_path(), failure);
     // Where that can't be written the agent does all the rest.
-    static_cast<void>(write_file(file_, fmt::format("{:.0f}\n", wall_clock().epoch_seconds)));
+    static_cast<void>(write_file(file_, fmt::format("{:.0f} {}\n", wall_clock().epoch_seconds, company_)));
   }
   /// At the next `note`, from any thread.
   void want_note() { is_wanted_ = true; }
@@ -119,8 +123,9 @@ class LastSeen {
   }
 
  private:
-  static constexpr double kApart = 10.0;  // [s]
+  static constexpr double kApart = std::chrono::duration<double>(agents::kSeenEvery).count();  // [s]
   std::string file_;
+  std::string company_;
   double next_ = 0.0;
   std::atomic<bool> is_wanted_ = false;
 };
@@ -189,6 +194,7 @@ int serve(agents::AgentSettings settings, const NetworkOptions& options, const M
       return kBadInput;
     }
     settings.network = *network;
+    last_seen.set_company(agents::company_of(*network));
     Watch watch(last_seen, withdrawals);
     // Who runs it starts one again that has failed.
     const agents::EndingWatchdog watchdog(words.command, [over = watch.token()] {

@@ -31,6 +31,11 @@ using std::chrono::milliseconds;
 constexpr milliseconds kGivenUpAfter{5000};
 /// How often a participant says that it is there to those that have not heard of it.
 constexpr milliseconds kSaysItIsThereEvery{2000};
+/// The same where those of its machine that avoid their neighbours can't say so to it by themselves, and
+/// answer only.
+constexpr milliseconds kAsksNeighboursEvery{500};
+/// At which DDS says to all who listen that somebody is there.
+constexpr const char* kGroupAsPeer = "<Peer address=\"239.255.0.1\"/>";
 /// How soon what was lost is sent again once that is known, and how often it is asked for. Cyclone's own
 /// figures (100 ms, 3 s) spare a busy network; here somebody waits.
 constexpr milliseconds kAsksAgainAfter{2};
@@ -119,18 +124,46 @@ std::expected<Interface, std::string> interface_called(const std::string& name) 
       "this machine has no network interface `{}` with an IPv4 address: there is {}", shown, names_of(all)));
 }
 
-/// What is sent to all at once.
-struct Multicast {
-  bool is_used = false;
-  bool carries_all = false;
-  const char* allowed = "false";  ///< as Cyclone calls it
+/// How participants find each other, and what is sent to all at once.
+struct Finding {
+  bool has_multicast = false;     // of the interface, as Cyclone is told
+  const char* allowed = "false";  // multicast, as Cyclone calls it
+  bool is_heard_here = true;      // what goes to the group, by this machine, too
+  std::string peers = {};         // addresses that it says to that it is there
+  milliseconds says_it_is_there = kSaysItIsThereEvery;
 };
 
-/// On a network others are found by it, and data goes to each by itself, since radio sends multicast slowly
-/// and once. On the loopback it spares a packet for each participant of the machine.
-Multicast multicast_on(const Interface& own) {
-  if (own.is_loopback) return carries_loopback_multicast() ? Multicast{true, true, "true"} : Multicast{};
-  return own.has_multicast ? Multicast{true, false, "spdp"} : Multicast{};
+std::string peer_at(in_addr address) {
+  return fmt::format("<Peer address=\"{}\"/>", text_of(address));
+}
+
+/// On the loopback. Multicast spares a packet for each participant of the machine. Who avoids its neighbours
+/// listens to none, so it hears of those only who knock at all places of the machine; to the others it says
+/// that it is there.
+Finding finding_on_loopback(const Interface& own, bool avoids_neighbours) {
+  const bool is_multicast = carries_loopback_multicast();
+  Finding out{.has_multicast = is_multicast};
+  if (avoids_neighbours) {
+    if (is_multicast) out.peers = kGroupAsPeer;
+    return out;
+  }
+  out.peers = peer_at(own.address);
+  if (is_multicast)
+    out.allowed = "true";
+  else
+    out.says_it_is_there = kAsksNeighboursEvery;
+  return out;
+}
+
+/// On a network others are found by multicast, where there is any, and data goes to each by itself, since
+/// radio sends multicast slowly and once.
+Finding finding_on_network(const Interface& own, bool avoids_neighbours) {
+  Finding out{.has_multicast = own.has_multicast};
+  if (own.has_multicast) out.allowed = "spdp";
+  out.is_heard_here = !avoids_neighbours;
+  if (!own.has_multicast && !avoids_neighbours) out.peers = peer_at(own.address);
+  if (!avoids_neighbours) out.says_it_is_there = kAsksNeighboursEvery;
+  return out;
 }
 
 std::string repetition(const Confirming& how) {
@@ -154,15 +187,19 @@ std::expected<void, std::string> check_fleet(const std::string& fleet) {
                   text::shown(fleet), text::shown(std::string(1, *bad))));
 }
 
-/// The addresses at which others are looked for, as they stand in the configuration.
-/// @param finds_each_other  participants of this machine do so without
-std::expected<std::string, std::string> peers_of(const Network& network, const Interface& own,
-                                                 bool finds_each_other) {
+bool is_of_this_machine(in_addr address) {
+  if ((ntohl(address.s_addr) >> 24U) == 127U) return true;
+  return std::ranges::any_of(interfaces(),
+                             [&](const Interface& one) { return one.address.s_addr == address.s_addr; });
+}
+
+/// The addresses at which others are looked for as the network names them, as they stand in the
+/// configuration.
+std::expected<std::string, std::string> peers_of(const Network& network, const Interface& own) {
   if (network.peers.size() > kMaxPeers)
     return std::unexpected(
         fmt::format("{} machines are to be looked at: {} at most", network.peers.size(), kMaxPeers));
   std::string peers;
-  if (!finds_each_other) peers = fmt::format("<Peer address=\"{}\"/>", text_of(own.address));
   for (const std::string& peer : network.peers) {
     const auto address = address_in(peer);
     if (!address)
@@ -173,7 +210,7 @@ std::expected<std::string, std::string> peers_of(const Network& network, const I
           fmt::format("`{}` can't be reached: without a network interface nothing leaves this "
                       "machine",
                       text::shown(peer)));
-    peers += fmt::format("<Peer address=\"{}\"/>", text_of(*address));
+    if (!network.avoids_neighbours || !is_of_this_machine(*address)) peers += peer_at(*address);
   }
   return peers;
 }
@@ -188,36 +225,43 @@ std::string partition_of(std::string_view fleet) {
   return fmt::format("mlab/{}", fleet);
 }
 
+std::string own_address_on(const Network& network) {
+  const auto own = interface_called(network.interface_name);
+  return own ? text_of(own->address) : std::string();
+}
+
 bool is_loopback_only(const Network& network) {
   const auto own = interface_called(network.interface_name);
   return own && own->is_loopback;
 }
 
-std::expected<std::string, std::string> configuration_of(const Network& network) {
+std::expected<std::string, std::string> configuration_of(const Network& network, std::optional<int> place) {
   if (const auto fleet = check_fleet(network.fleet); !fleet) return std::unexpected(fleet.error());
   if (network.lost_of_thousand < 0 || network.lost_of_thousand >= 1000)
     return std::unexpected(
         fmt::format("{} of a thousand packets can't be dropped: 0 to 999", network.lost_of_thousand));
   const auto own = interface_called(network.interface_name);
   if (!own) return std::unexpected(own.error());
-  const Multicast multicast = multicast_on(*own);
-  const auto peers = peers_of(network, *own, multicast.carries_all);
+  const auto peers = peers_of(network, *own);
   if (!peers) return std::unexpected(peers.error());
+  const Finding finding = own->is_loopback ? finding_on_loopback(*own, network.avoids_neighbours)
+                                           : finding_on_network(*own, network.avoids_neighbours);
   return fmt::format(
       "<CycloneDDS><Domain Id=\"any\">"
       "<General><Interfaces><NetworkInterface address=\"{}\" multicast=\"{}\"/></Interfaces>"
-      "<AllowMulticast>{}</AllowMulticast></General>"
+      "<AllowMulticast>{}</AllowMulticast><EnableMulticastLoopback>{}</EnableMulticastLoopback></General>"
       "<Discovery><ExternalDomainId>{}</ExternalDomainId><Tag>{}</Tag>"
-      "<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex>"
-      "<Peers>{}</Peers>"
+      "<ParticipantIndex>{}</ParticipantIndex><MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex>"
+      "<Peers>{}{}</Peers>"
       "<LeaseDuration>{} ms</LeaseDuration><SPDPInterval>{} ms</SPDPInterval></Discovery>"
       "<Internal><MaxSampleSize>{} "
       "B</MaxSampleSize>{}<Test><XmitLossiness>{}</XmitLossiness></Test></Internal>"
       "<SharedMemory><Enable>false</Enable></SharedMemory>"
       "<Tracing><Verbosity>none</Verbosity></Tracing>"
       "</Domain></CycloneDDS>",
-      text_of(own->address), multicast.is_used, multicast.allowed, domain_of(network.fleet), network.fleet,
-      kMaxParticipants - 1, *peers, kGivenUpAfter.count(), kSaysItIsThereEvery.count(),
+      text_of(own->address), finding.has_multicast, finding.allowed, finding.is_heard_here,
+      domain_of(network.fleet), network.fleet, place ? std::to_string(*place) : "auto", kMaxParticipants - 1,
+      finding.peers, *peers, kGivenUpAfter.count(), finding.says_it_is_there.count(),
       kMaxBody + kEnvelopeBytes, repetition(network.security ? kSecured : kUnsecured),
       network.lost_of_thousand);
 }

@@ -22,6 +22,9 @@ struct Network {
   std::vector<std::string> peers;
   /// For trials: of a thousand packets that this participant sends, so many are dropped by chance.
   int lost_of_thousand = 0;
+  /// It does not meet those of this machine of which this is true, too, but everybody else: fifty agents of
+  /// one machine would be busy with each other alone, at rest as well.
+  bool avoids_neighbours = false;
   /// By what it proves who it is; then it talks to those only who prove it, too, and all is encrypted.
   std::optional<Security> security = std::nullopt;
 };
@@ -37,13 +40,18 @@ int domain_of(std::string_view fleet);
 /// (DDS's domain tag), and none of their topics would match (DDS's partition).
 std::string partition_of(std::string_view fleet);
 
+/// This machine's address on the network; empty: it has none at present.
+std::string own_address_on(const Network& network);
+
 /// Whether the network is this machine alone: no interface is named, or the loopback is.
 bool is_loopback_only(const Network& network);
 
 /// The whole configuration of Cyclone for a participant in this network. Nothing is taken from the
 /// environment (CYCLONEDDS_URI), so that a setting for other programs opens no fleet to strangers.
 ///
+/// @param place  of kMaxParticipants on this machine, from 0 on; nothing: the first one that is free
 /// @errors  a sentence for a person: a name, an address or an interface that can't be used
-std::expected<std::string, std::string> configuration_of(const Network& network);
+std::expected<std::string, std::string> configuration_of(const Network& network,
+                                                         std::optional<int> place = std::nullopt);
 
 }  // namespace mlab::dds

@@ -37,14 +37,13 @@ TEST(DdsNetwork, AFleetHasTheSameDomainOnEveryMachine) {
 
 TEST(DdsNetwork, NothingLeavesTheMachineUnlessAnInterfaceIsNamed) {
   const std::string words = configuration_of(fleet_called("alpha")).value();
-  // By multicast where the loopback carries it, else by looking at all ports.
+  // Those that listen to no multicast are found by looking at all ports.
   const bool is_multicast = carries_loopback_multicast();
   EXPECT_NE(
       words.find(fmt::format("<NetworkInterface address=\"127.0.0.1\" multicast=\"{}\"/>", is_multicast)),
       std::string::npos);
   EXPECT_NE(words.find(fmt::format("<AllowMulticast>{}</AllowMulticast>", is_multicast)), std::string::npos);
-  EXPECT_NE(words.find(is_multicast ? "<Peers></Peers>" : "<Peers><Peer address=\"127.0.0.1\"/></Peers>"),
-            std::string::npos);
+  EXPECT_NE(words.find("<Peers><Peer address=\"127.0.0.1\"/></Peers>"), std::string::npos);
   EXPECT_NE(words.find("<SharedMemory><Enable>false</Enable></SharedMemory>"), std::string::npos);
   EXPECT_NE(words.find("<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>119<"),
             std::string::npos);
@@ -56,8 +55,22 @@ TEST(DdsNetwork, AnInterfaceMayBeToldByNameOrAddress) {
   EXPECT_EQ(configuration_of(network), configuration_of(fleet_called("alpha")));
   network.interface_name = "127.0.0.1";
   EXPECT_TRUE(is_loopback_only(network));
+  EXPECT_EQ(own_address_on(network), "127.0.0.1");
+  EXPECT_EQ(own_address_on(fleet_called("alpha")), "127.0.0.1");
   network.peers = {"127.0.0.2"};
   EXPECT_NE(configuration_of(network).value().find("<Peer address=\"127.0.0.2\"/>"), std::string::npos);
+}
+
+TEST(DdsNetwork, WhoAvoidsItsNeighboursLooksAtNoPlaceOfItsMachine) {
+  Network network = fleet_called("alpha");
+  network.avoids_neighbours = true;
+  network.peers = {"127.0.0.1", "127.0.0.2"};
+  const std::string words = configuration_of(network).value();
+  // It says to those who listen that it is there, and does not listen.
+  EXPECT_NE(words.find(carries_loopback_multicast() ? "<Peers><Peer address=\"239.255.0.1\"/></Peers>"
+                                                    : "<Peers></Peers>"),
+            std::string::npos);
+  EXPECT_NE(words.find("<AllowMulticast>false</AllowMulticast>"), std::string::npos);
 }
 
 TEST(DdsNetwork, FleetsWithoutAProperNameAreRefused) {

@@ -48,7 +48,8 @@ class Participant {
   std::expected<Writer, std::string> writer(std::string_view topic, ChannelKind kind,
                                             const Waiter* waiter = nullptr);
 
-  /// @param waiter  is signalled whenever there is something to take; may end before the reader
+  /// @param waiter  is signalled whenever there is something to take, but messages of a channel with a lease,
+  ///                which say no more than that their writer is alive; may end before the reader
   /// @errors  a sentence
   std::expected<Reader, std::string> reader(std::string_view topic, ChannelKind kind, const Waiter& waiter);
 

@@ -43,6 +43,24 @@ std::string sentence(std::string_view failed, dds_return_t code, Complaints& com
   return words;
 }
 
+/// Takes a place among the participants of this machine: those that avoid their neighbours from the first on,
+/// all others from the last on. Who has been told of a place goes on saying there that it is there, also when
+/// somebody else has it; so neighbours would meet in places that somebody has left whom both have met.
+/// @errors  a sentence of `configuration_of`; Cyclone's code is the domain's handle, then
+std::expected<dds_entity_t, std::string> take_place(const Network& network, std::uint32_t number,
+                                                    Complaints& complaints) {
+  dds_entity_t domain = DDS_RETCODE_OUT_OF_RESOURCES;
+  for (int place = kMaxParticipants - 1; place >= 0 && domain < 0; --place) {
+    const auto configuration =
+        network.avoids_neighbours ? configuration_of(network) : configuration_of(network, place);
+    if (!configuration) return std::unexpected(configuration.error());
+    static_cast<void>(complaints.take());  // of a place that is taken
+    domain = dds_create_domain(number, configuration->c_str());
+    if (network.avoids_neighbours) break;
+  }
+  return domain;
+}
+
 /// Publisher and subscriber: both in the fleet's partition.
 Qos qos_in(const std::string& partition) {
   Qos qos(dds_create_qos());
@@ -53,8 +71,7 @@ Qos qos_in(const std::string& partition) {
 }  // namespace
 
 std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::open(const Network& network) {
-  const auto configuration = configuration_of(network);
-  if (!configuration) return std::unexpected(configuration.error());
+  if (const auto checked = configuration_of(network); !checked) return std::unexpected(checked.error());
   const auto identity = identity_of(network);
   if (!identity) return std::unexpected(identity.error());
   auto core = std::make_shared<ParticipantCore>(network.security.has_value());
@@ -64,11 +81,11 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
     return std::unexpected(
         sentence(fmt::format("{} of the fleet `{}`", what, network.fleet), code, core->complaints));
   };
-  const dds_entity_t domain = dds_create_domain(number, configuration->c_str());
-  if (domain < 0) {
-    return failed(fmt::format("no place (of {} on this machine) on the network", kMaxParticipants), domain);
-  }
-  core->domain = Entity(domain);
+  const auto domain = take_place(network, number, core->complaints);
+  if (!domain) return std::unexpected(domain.error());
+  if (*domain < 0)
+    return failed(fmt::format("no place (of {} on this machine) on the network", kMaxParticipants), *domain);
+  core->domain = Entity(*domain);
   if (is_loopback_only(network)) {
     const auto closed = hear_loopback_only(domain_of(network.fleet));
     if (!closed) return std::unexpected(closed.error());

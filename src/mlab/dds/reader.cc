@@ -83,7 +83,8 @@ Reader::State::State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<Wait
       waiter_(std::move(waiter)),
       writers_(std::move(topic), kind, "writes"),
       waiting_(info(kind).is_newest_only),
-      is_newest_only_(info(kind).is_newest_only) {}
+      is_newest_only_(info(kind).is_newest_only),
+      are_messages_quiet_(info(kind).lease.count() > 0) {}
 
 std::expected<void, std::string> Reader::State::begin(const std::string& topic, ChannelKind kind) {
   auto made = core_->topic(topic);
@@ -224,8 +225,9 @@ void Reader::State::tell(Arrival arrival) {
            one->key == arrival.key;
   });
   if (branch == branches_.end()) {
+    const bool is_quiet = are_messages_quiet_ && arrival.kind == Arrival::Kind::kMessage;
     waiting_.add(std::move(arrival));
-    waiter_->signal();
+    if (!is_quiet) waiter_->signal();
     return;
   }
   (*branch)->waiting.add(std::move(arrival));

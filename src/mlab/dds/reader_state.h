@@ -86,6 +86,7 @@ class Reader::State {
   Waiting waiting_;
   std::vector<std::shared_ptr<Branch::Queue>> branches_;
   bool is_newest_only_;
+  bool are_messages_quiet_;  // they say nothing but that who writes them is alive
   Entity topic_;
   Entity reader_;
 };

@@ -98,17 +98,17 @@ struct Speaker {
 class Impostor {
  public:
   Impostor(const std::string& fleet, dds::Guid member)
-      : first_port_(7400 + 250 * dds::domain_of(fleet) + 10),
+      : first_port_(7400 + 250 * dds::domain_of(fleet) + 10 + 2 * dds::kMaxParticipants - kPorts),
         member_(member),
         socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {}
   Impostor(const Impostor&) = delete;
   Impostor& operator=(const Impostor&) = delete;
   ~Impostor() { ::close(socket_); }
 
-  /// As the second message of any of its writers, to all ports that the first participants of a fleet have.
+  /// As the second message of any of its writers, to all ports that the first participants of a fleet take,
+  /// which are the last ones.
   void says(const std::string& body) const {
     constexpr int kMostWriters = 16;
-    constexpr int kPorts = 40;
     for (int writer = 1; writer <= kMostWriters; ++writer) {
       const std::string packet = packet_of(writer, body);
       for (int port = first_port_; port < first_port_ + kPorts; ++port) send(port, packet);
@@ -148,6 +148,8 @@ class Impostor {
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     ::sendto(socket_, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to);
   }
+
+  static constexpr int kPorts = 40;
 
   int first_port_;
   dds::Guid member_;

@@ -36,6 +36,11 @@ Participant participant(int lost_of_thousand, const std::string& fleet) {
       {.fleet = fleet, .interface_name = {}, .peers = {}, .lost_of_thousand = lost_of_thousand}));
 }
 
+Participant avoiding_participant(const std::string& fleet) {
+  return surely(Participant::open(
+      {.fleet = fleet, .interface_name = {}, .peers = {}, .lost_of_thousand = 0, .avoids_neighbours = true}));
+}
+
 Waiter waiter() {
   return surely(Waiter::make());
 }

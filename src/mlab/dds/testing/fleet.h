@@ -15,6 +15,8 @@ namespace mlab::dds {
 std::string fleet_of_this_process();
 
 Participant participant(int lost_of_thousand = 0, const std::string& fleet = fleet_of_this_process());
+/// One that does not meet others of this machine that are so.
+Participant avoiding_participant(const std::string& fleet = fleet_of_this_process());
 Waiter waiter();
 Writer writer(Participant& participant, const std::string& topic, ChannelKind kind,
               const Waiter* waiter = nullptr);

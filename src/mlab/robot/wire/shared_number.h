@@ -38,7 +38,7 @@ class SharedNumber {
         looks.learn(look);
         return true;
       }
-      pause(look);
+      if (pause(look)) break;
     }
     looks.learn(looks.count());
     return wanted(get());
@@ -55,7 +55,8 @@ class SharedNumber {
   }
 
  private:
-  static void pause(int look);
+  /// @return  whether somebody else had this processor meanwhile: to look takes it from those who have work
+  static bool pause(int look);
   void sleep(std::uint32_t before, const timespec& patience);
 
   std::atomic<std::uint32_t> number_{0};
