@@ -38,8 +38,8 @@
 namespace mlab::bench {
 namespace {
 
-constexpr double kStep = 0.5;    // from place to place [m]
-constexpr double kEdge = 60.0;   // round the area [m]
+constexpr double kStep = 0.5;          // from place to place [m]
+constexpr double kEdge = 60.0;         // round the area [m]
 constexpr double kLongest = 20'000.0;  // a run takes [s]
 
 struct Options {
@@ -69,8 +69,7 @@ Field field_of(std::uint64_t seed, double ground_of_a_rock) {
   for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
     const double in_x = random.uniform(0.0, 0.25) * width;
     const double in_y = random.uniform(0.0, 0.25) * height;
-    out.outline.push_back(
-        {kEdge + (x == 0 ? in_x : width - in_x), kEdge + (y == 0 ? in_y : height - in_y)});
+    out.outline.push_back({kEdge + (x == 0 ? in_x : width - in_x), kEdge + (y == 0 ? in_y : height - in_y)});
   }
   constexpr double kBeyond = 20.0;  // rocks stand round the area, too [m]
   const auto count = static_cast<int>((width + 2 * kBeyond) * (height + 2 * kBeyond) / ground_of_a_rock);
@@ -179,8 +178,8 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const Field& fie
     mission += fmt::format("SET FAILING-ROBOTS {}\nSET FAILURES-WITHIN 60\n", options.lost);
   mission += "UNIT <team>";
   for (int i = 0; i < options.robots; ++i) mission += " ROBOT";
-  mission += fmt::format("\nCOMMAND LIST:\n0. UNIT team START 15 60 0 10\n1. UNIT team SEARCH Field SWATH {}\n",
-                         options.swath);
+  mission += fmt::format(
+      "\nCOMMAND LIST:\n0. UNIT team START 15 60 0 10\n1. UNIT team SEARCH Field SWATH {}\n", options.swath);
   std::string map = fmt::format("MISSION-AREA 520 520\nCONTROL MEASURES:\nOBJ Field");
   for (const geom::Point corner : field.outline) map += fmt::format(" {:.3f} {:.3f}", corner.x, corner.y);
   map += "\n";
@@ -317,7 +316,8 @@ int study(const Options& options) {
       count([](const Row& row) { return row.is_done; }), rows.size(), contacts, 100.0 * seen.mean,
       100.0 * seen.least, count([](const Row& row) { return row.seen >= 0.995; }), rows.size(), longest.mean,
       longest.most, count([](const Row& row) { return row.longest > 1.25; }), total.mean, total.most,
-      within.mean, within.most, count([](const Row& row) { return row.within > 1.3; }), spread_of(rows, &Row::time).mean);
+      within.mean, within.most, count([](const Row& row) { return row.within > 1.3; }),
+      spread_of(rows, &Row::time).mean);
   if (!options.table.empty()) write_table(rows, options.table);
   if (!options.unseen.empty()) write_unseen(rows, options.unseen);
   return 0;
