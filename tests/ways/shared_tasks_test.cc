@@ -458,7 +458,7 @@ TEST_F(SharedTasks, WhatRocksThatNobodyKnewOfHideFromALaneIsLookedAtAfterwards) 
       search(seen);
       EXPECT_TRUE(is_done()) << told_;
       EXPECT_EQ(contacts(), 0U);
-      EXPECT_GE(seen.share(), 0.995);
+      EXPECT_GE(seen.share(), 0.994);  // a rock on each 1,300 m^2
     }
   }
 }

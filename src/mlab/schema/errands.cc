@@ -313,7 +313,8 @@ bool look_back(const Percepts& percepts, std::span<const geom::Point> way, LegWa
   Swept& swept = state.swept;
   if (!state.was_there) return false;
   const double passed = passed_on_leg(way, state, here);
-  const bool has_looked = looked_back || swept.pass(percepts.ground, way, state.leg, passed, reach);
+  const bool has_looked =
+      looked_back || swept.pass(percepts.ground, way, state.leg, passed, percepts.order.margin, reach);
   if (looked_back && verdict != LegWatch::Verdict::kUnderWay)
     swept.give_up(state.back_to, verdict == LegWatch::Verdict::kInVain ? reach : 0.0);
   if (looked_back && swept.misses(state.back_to)) return true;

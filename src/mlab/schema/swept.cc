@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mlab/base/angle.h"
 
@@ -25,6 +26,20 @@ bool is_on_ground(const KnownGround& ground, Point place) {
   return ground.bounds.contains(place) && std::ranges::none_of(ground.discs, [&](const ways::Round& disc) {
            return distance(disc.center, place) <= disc.radius;
          });
+}
+
+// Whether near to a place on a lane something stands nearer to the lane than that was planned to keep: nobody
+// knew of it then. A leg that begins and ends just beside a thing was planned round it.
+bool is_obstructed(const KnownGround& ground, geom::Segment lane, Point on_lane, double margin,
+                   double reach) {
+  constexpr double kBeside = 0.75;  // body and rounding [m]
+  return std::ranges::any_of(ground.discs, [&](const ways::Round& disc) {
+    const double kept = disc.radius + margin;
+    const auto is_beside = [&](Point end) { return distance(end, disc.center) < kept + kBeside; };
+    return distance(on_lane, disc.center) < kept + 2.0 * reach &&
+           distance(nearest_point(lane, disc.center), disc.center) < kept &&
+           !(is_beside(lane.a) && is_beside(lane.b));
+  });
 }
 
 bool sees(const KnownGround& ground, geom::Segment from, Point place, double reach) {
@@ -87,7 +102,7 @@ void Swept::look(const KnownGround& ground, Point here, double reach) {
 }
 
 bool Swept::pass(const KnownGround& ground, std::span<const Point> way, std::size_t leg, double along,
-                 double reach) {
+                 double margin, double reach) {
   constexpr int kMostAtOnce = 16;
   for (int looked = 0; leg_ < way.size() && leg_ <= leg; ++looked) {
     const geom::Segment lane{way[leg_ - 1], way[leg_]};
@@ -98,22 +113,25 @@ bool Swept::pass(const KnownGround& ground, std::span<const Point> way, std::siz
       continue;
     }
     if (looked == kMostAtOnce || is_nearly_full()) return false;
-    add_missed(ground, lane, along_, reach);
+    add_missed(ground, lane, along_, margin, reach);
     along_ += kBetween * reach;
   }
   return true;
 }
 
-void Swept::add_missed(const KnownGround& ground, geom::Segment leg, double along, double reach) {
+void Swept::add_missed(const KnownGround& ground, geom::Segment leg, double along, double margin,
+                       double reach) {
   const double swath = 2.0 * reach;
   const double sure = reach - 1.5 * std::min(kLaneTolerance, kShareOfSwath * swath) - kTrailTolerance * reach;
   const geom::Offset ahead = unit(leg.b - leg.a);
   const Point on_lane = leg.a + ahead * along;
+  std::optional<bool> counts;  // most lanes are kept, and nobody asks
   for (int i = -kAcross; i <= kAcross; ++i) {
     const Point place = on_lane + geom::Offset{-ahead.y, ahead.x} * (sure * i / kAcross);
     const bool is_missed =
         !has_seen(ground, place, reach) && is_on_ground(ground, place) && !is_hidden(ground, place, on_lane);
-    if (is_missed && count_ < kMostMissed) missed_[count_++] = place;
+    if (is_missed && !counts) counts = is_obstructed(ground, leg, on_lane, margin, reach);
+    if (is_missed && *counts && count_ < kMostMissed) missed_[count_++] = place;
   }
 }
 

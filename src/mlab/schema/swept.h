@@ -39,7 +39,7 @@ class Trail {
 
 /// What a robot that goes along a piece of a SEARCH has left unseen beside it, since something stood there
 /// that the way leads through. Told by places beside each leg that the robot has come past: by where it has
-/// been since the piece began. Discs hide nothing, walls do. A value of a frame.
+/// been since the command began. Discs hide nothing, walls do. A value of a frame.
 class Swept {
  public:
   static constexpr std::size_t kMostMissed = 64;
@@ -52,9 +52,10 @@ class Swept {
   /// Looks at what lies beside the way up to there, as far as it has not yet; so much in a cycle, and no more
   /// than there is room for.
   /// @param leg, along  the one that ends at that corner of the way, and so far along it [m]
+  /// @param margin      that the way keeps from the edges of what was known when it was planned [m]
   /// @return  whether all of it has been looked at
   bool pass(const percept::KnownGround& ground, std::span<const geom::Point> way, std::size_t leg,
-            double along, double reach);
+            double along, double margin, double reach);
 
   std::span<const geom::Point> missed() const { return std::span(missed_).first(count_); }
   bool misses(geom::Point place) const;
@@ -67,7 +68,8 @@ class Swept {
   static constexpr std::size_t kMostAcross = 2 * kAcross + 1;
 
   bool has_seen(const percept::KnownGround& ground, geom::Point place, double reach) const;
-  void add_missed(const percept::KnownGround& ground, geom::Segment leg, double along, double reach);
+  void add_missed(const percept::KnownGround& ground, geom::Segment leg, double along, double margin,
+                  double reach);
 
   Trail trail_;
   std::array<geom::Point, kMostMissed> missed_{};

@@ -10,11 +10,19 @@ namespace {
 
 using geom::Point;
 
-constexpr double kReach = 5.0;  // [m]
+constexpr double kReach = 5.0;   // [m]
+constexpr double kMargin = 2.5;  // [m]
 
 percept::KnownGround ground_with(const std::vector<ways::Round>& discs,
                                  const std::vector<geom::Segment>& walls = {}) {
   return {.revision = 1, .discs = discs, .walls = walls, .bounds = {}};
+}
+
+// Small ones on a lane along the axis.
+std::vector<ways::Round> rocks_along(double length) {
+  std::vector<ways::Round> out;
+  for (double x = 0.0; x < length; x += 10.0) out.push_back({{x, 0.5}, 0.2});
+  return out;
 }
 
 // Goes straight from place to place in steps of 0.4 m, and looks at what it has passed of the way.
@@ -25,7 +33,7 @@ void go(Swept& swept, const percept::KnownGround& ground, const std::vector<Poin
     for (int k = 0; k <= steps; ++k) {
       const Point here = along[i - 1] + (along[i] - along[i - 1]) * (1.0 * k / steps);
       swept.look(ground, here, kReach);
-      swept.pass(ground, way, 1, distance(way[0], nearest_point({way[0], way[1]}, here)), kReach);
+      swept.pass(ground, way, 1, distance(way[0], nearest_point({way[0], way[1]}, here)), kMargin, kReach);
     }
   }
 }
@@ -61,7 +69,7 @@ TEST(Swept, MissesNothingOfALaneThatItKeeps) {
   Swept swept;
   swept.begin();
   go(swept, ground, {{-10, 3}, {0, 0.1}, {100, -0.1}}, way);
-  EXPECT_TRUE(swept.pass(ground, way, 2, 0.0, kReach));
+  EXPECT_TRUE(swept.pass(ground, way, 2, 0.0, kMargin, kReach));
   EXPECT_TRUE(swept.missed().empty());
 }
 
@@ -82,16 +90,27 @@ TEST(Swept, MissesWhatIsBeyondARockUntilItSeesThat) {
   EXPECT_TRUE(swept.missed().empty());
 }
 
+TEST(Swept, MissesNothingWhereNothingStandsOnTheLane) {
+  const std::vector<ways::Round> beside{{{50, 8}, 3.0}};
+  const auto ground = ground_with(beside);
+  const std::vector<Point> way{{0, 0}, {100, 0}};
+  Swept swept;
+  swept.begin();
+  go(swept, ground, {{0, 0}, {50, 2}, {100, 0}}, way);
+  EXPECT_TRUE(swept.missed().empty()) << "the way was planned beside it, and another robot was met";
+}
+
 TEST(Swept, DoesNotMissWhatTheLaneWouldNotHaveSeenNorWhatIsNoGround) {
   const std::vector<geom::Segment> wall{{{-10, -2}, {110, -2}}};
-  auto ground = ground_with({}, wall);
+  const std::vector<ways::Round> rocks = rocks_along(100.0);
+  auto ground = ground_with(rocks, wall);
   ground.bounds = {-20, -20, 120, 3};
   const std::vector<Point> way{{0, 0}, {100, 0}};
   Swept swept;
   swept.begin();
   swept.look(ground, {0, 200}, kReach);
   int looks = 0;
-  while (!swept.pass(ground, way, 2, 0.0, kReach) && ++looks < 1'000) {
+  while (!swept.pass(ground, way, 2, 0.0, kMargin, kReach) && ++looks < 1'000) {
     for (const Point place : swept.missed()) {
       EXPECT_GT(place.y, -2.0);
       EXPECT_LE(place.y, 3.0);
@@ -103,22 +122,24 @@ TEST(Swept, DoesNotMissWhatTheLaneWouldNotHaveSeenNorWhatIsNoGround) {
 }
 
 TEST(Swept, LooksAtSoMuchInACycle) {
-  const auto ground = ground_with({});
+  const std::vector<ways::Round> rocks = rocks_along(1000.0);
+  const auto ground = ground_with(rocks);
   const std::vector<Point> way{{0, 0}, {1000, 0}};
   Swept swept;
   swept.begin();
   swept.look(ground, {500, 0}, kReach);
-  EXPECT_FALSE(swept.pass(ground, way, 1, 1000.0, kReach));
+  EXPECT_FALSE(swept.pass(ground, way, 1, 1000.0, kMargin, kReach));
   EXPECT_LE(swept.missed().size(), Swept::kMostMissed);
 }
 
 TEST(Swept, GivesUpWhatIsNearToAPlace) {
-  const auto ground = ground_with({});
+  const std::vector<ways::Round> rocks = rocks_along(20.0);
+  const auto ground = ground_with(rocks);
   const std::vector<Point> way{{0, 0}, {20, 0}};
   Swept swept;
   swept.begin();
   swept.look(ground, {0, 50}, kReach);
-  swept.pass(ground, way, 1, 5.0, kReach);
+  swept.pass(ground, way, 1, 5.0, kMargin, kReach);
   ASSERT_FALSE(swept.missed().empty());
   const Point first = swept.missed().front();
   EXPECT_TRUE(swept.misses(first));
