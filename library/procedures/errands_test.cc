@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -179,15 +180,16 @@ TEST(NextErrand, KeepsToTheLegsOfASearchRoundWhatNobodyKnewOf) {
   const std::vector<Step> steps = {
       {{0, 9}, 9.0, {0, 9}},
       {{0, 9}, 0.1, {60, 9}},
-      {{3, 9.9}, 57.0, {60, 9}},
+      {{3, 9.3}, 57.0, {60, 9}},
       {{12.5, 10.1}, 47.0, {17.5, 9}},  // it has left the leg, round something
       {{14.9, 12}, 4.0, {17.5, 9}},
       {{15.1, 12}, 4.0, {22.5, 9}},
-      {{20.1, 9.9}, 2.0, {60, 9}},  // it is back
-      {{24, 10.1}, 36.0, {29, 9}},
-      {{24, 12}, schema::kClosedEnd + 0.1, {34, 9}},  // what stands at that place is left out
-      {{24, 12}, schema::kClosedEnd + 0.1, {60, 9}},  // nor can it come to the next one
-      {{24, 12}, 36.0, {60, 9}},
+      {{20.1, 9.3}, 2.0, {27.5, 9}},  // it is nearly back
+      {{25.1, 9.1}, 4.0, {60, 9}},    // and now it is
+      {{30, 10.1}, 30.0, {35, 9}},
+      {{30, 12}, schema::kClosedEnd + 0.1, {40, 9}},  // what stands at that place is left out
+      {{30, 12}, schema::kClosedEnd + 0.1, {60, 9}},  // nor can it come to the next one
+      {{30, 12}, 30.0, {60, 9}},
       {{59, 10}, 5.0, {60, 9}},
   };
   for (const Step& step : steps) {
@@ -200,6 +202,35 @@ TEST(NextErrand, KeepsToTheLegsOfASearchRoundWhatNobodyKnewOf) {
   p.action = {};
   p.set("left", 0.1).step();
   EXPECT_EQ(asked(p, Kind::kFinishTask).size(), 1U);
+}
+
+TEST(NextErrand, LooksBackAtWhatItHasLeftUnseenOfAPiece) {
+  Unit unit{.route = {{0, 0}, {60, 0}}, .task = Task::kSearch};
+  unit.add(0, ContractState::kStarted, 2);
+  flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.percepts.order.swath = 10.0;
+  const std::vector<ways::Round> rock{{{30, 0}, 3.0}};
+  p.percepts.ground = {.revision = 1, .discs = rock, .walls = {}, .bounds = {}};
+  // Goes where it wants to, but round the rock at first.
+  geom::Point here{0, 0};
+  double lowest = 0.0;
+  double farthest = 0.0;
+  int cycles = 0;
+  for (; asked(p, Kind::kFinishTask).empty() && cycles < 1'000; ++cycles) {
+    const geom::Point goal = cycles == 0 ? here : p.output<geom::Point>();
+    p.action = {};
+    p.percepts.pose.position = here;
+    p.set("left", distance(here, goal)).step();
+    const bool is_round = farthest < 38.0;
+    const geom::Offset left = is_round ? geom::Offset{1, 0} : p.output<geom::Point>() - here;
+    here = here + left * std::min(1.0, 0.4 / std::max(length(left), 1e-9));
+    if (is_round) here.y = std::clamp(std::min(here.x - 22, 38 - here.x), 0.0, 6.0);
+    lowest = std::min(lowest, here.y);
+    farthest = std::max(farthest, here.x);
+  }
+  EXPECT_LT(cycles, 400);
+  EXPECT_LT(lowest, -0.5) << "it goes back to what lies beyond the rock";
+  EXPECT_GT(farthest, 57.5);
 }
 
 TEST(NextErrand, BeginsAPieceOfASearchAtTheNextCornerWhereItCanNotComeToTheFirst) {

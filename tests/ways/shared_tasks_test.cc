@@ -447,17 +447,47 @@ TEST_F(SharedTasks, LanesOfANarrowSwathAreKeptToo) {
   }
 }
 
-TEST_F(SharedTasks, RocksThatNobodyKnewOfLeaveLittleUnseen) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    SCOPED_TRACE(fmt::format("seed {}", seed));
-    const std::vector<Seen::Rock> rocks = random_rocks(seed, {80, 80}, {320, 320}, 30);
-    make(4, "", "SEARCH Field SWATH 15", "OBJ Field 100 100 300 100 300 300 100 300\n", rocks);
-    Seen seen({100, 100}, {300, 300}, rocks, 15.0);
-    search(seen);
-    EXPECT_TRUE(is_done()) << told_;
-    EXPECT_EQ(contacts(), 0U);
-    EXPECT_GE(seen.share(), 0.95);
+TEST_F(SharedTasks, WhatRocksThatNobodyKnewOfHideFromALaneIsLookedAtAfterwards) {
+  for (const double swath : {10.0, 15.0}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(fmt::format("seed {}, a swath of {} m", seed, swath));
+      const std::vector<Seen::Rock> rocks = random_rocks(seed, {80, 80}, {320, 320}, 30);
+      make(4, "", fmt::format("SEARCH Field SWATH {}", swath), "OBJ Field 100 100 300 100 300 300 100 300\n",
+           rocks);
+      Seen seen({100, 100}, {300, 300}, rocks, swath);
+      search(seen);
+      EXPECT_TRUE(is_done()) << told_;
+      EXPECT_EQ(contacts(), 0U);
+      EXPECT_GE(seen.share(), 0.994);  // a rock on each 1,300 m^2
+    }
   }
+}
+
+TEST_F(SharedTasks, WhatIsLeftUnseenOfALostRobotsPieceIsLookedAtByTheOthers) {
+  const std::vector<Seen::Rock> rocks = random_rocks(4, {80, 80}, {320, 320}, 30);
+  make(3, "SET FAILING-ROBOTS 1\nSET FAILURES-WITHIN 120\n", "SEARCH Field SWATH 15",
+       "OBJ Field 100 100 300 100 300 300 100 300\n", rocks);
+  Seen seen({100, 100}, {300, 300}, rocks, 15.0);
+  search(seen);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(lost().size(), 1U);
+  EXPECT_GE(seen.share(), 0.99);
+}
+
+TEST_F(SharedTasks, WhatNobodyKnewToBeOutOfReachEndsNoSearch) {
+  // A ring of rocks round a part of the area: nobody sees its middle.
+  std::vector<Seen::Rock> ring;
+  for (int i = 0; i < 16; ++i) {
+    const double angle = 2.0 * 3.14159265358979 * i / 16;
+    ring.push_back({{200 + 30 * std::cos(angle), 200 + 30 * std::sin(angle)}, 8.0});
+  }
+  make(2, "", "SEARCH Field SWATH 10", "OBJ Field 140 140 260 140 260 260 140 260\n", ring);
+  Seen seen({140, 140}, {260, 260}, ring, 10.0);
+  search(seen);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(contacts(), 0U);
+  EXPECT_GE(seen.share(), 0.84);  // all outside of it
+  EXPECT_LT(run_->time(), 1000.0);
 }
 
 TEST_F(SharedTasks, WhatIsBehindADoorIsSearched) {

@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kSidesOfACircle = 32;
 constexpr double kWorthTelling = 0.98;  // a smaller share of the area that is seen
+constexpr double kLeastMargin = 0.1;    // [m]
+constexpr double kNearEnough = 0.9;     // to see what lies round a thing [half of the swath]
 constexpr double kOffWay = 0.15;        // a robot may be so far beside its lane [m]
 
 // Cut into pieces of equal length; where one ends and the next begins the point stands twice. Cut where the
@@ -89,6 +91,8 @@ struct Terms {
     if (type == nullptr) return;
     radius = std::max(number_parameter(*type, "robot_radius", kDefaultBodyRadius), 0.0);
     margin = std::max(number_parameter(*type, "avoid_obstacle_safety_margin", kDefaultMargin), 0.0);
+    // So that what lies round a thing that nobody knew of is seen on the way past it, too.
+    while (margin > kLeastMargin && radius + margin > kNearEnough * 0.5 * swath) margin *= 0.5;
   }
 
   ways::Clearances clearances() const { return {radius, margin}; }

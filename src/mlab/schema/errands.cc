@@ -242,8 +242,9 @@ void bid_for_pieces(const Percepts& percepts, const Errands& errands, const Erra
 /// Who has left a leg of a search comes back to it so far ahead [m], not at the next corner: so what nobody
 /// knew of makes a robot leave a leg only as long as it stands beside it.
 constexpr double kAheadOnLeg = 5.0;
-/// Who is farther from it has left it [m].
-constexpr double kOffLeg = 1.0;
+/// Who is farther from it has left it [m], until it is so near to it again.
+constexpr double kOffLeg = 0.35;
+constexpr double kOnLeg = 0.15;
 
 /// Where to head for on the way to a corner of a search's piece.
 geom::Point on_leg(std::span<const geom::Point> way, const ErrandState& state) {
@@ -264,8 +265,8 @@ bool come_back_to_leg(std::span<const geom::Point> way, geom::Point here, LegWat
   const double passed = geom::distance(leg.a, nearest);
   const bool is_under_way = verdict == LegWatch::Verdict::kUnderWay;
   const bool is_in_vain = verdict == LegWatch::Verdict::kInVain;
-  const bool is_on_leg = geom::distance(here, nearest) < kOffLeg;
   const bool came_back = state.comes_back;
+  const bool is_on_leg = geom::distance(here, nearest) < (came_back ? kOnLeg : kOffLeg);
   if (came_back && is_under_way && passed < state.along - 0.5 * kAheadOnLeg) return true;
   if (!came_back && (!is_under_way || is_on_leg)) return false;
   const double length = geom::distance(leg.a, leg.b);
@@ -278,6 +279,60 @@ bool come_back_to_leg(std::span<const geom::Point> way, geom::Point here, LegWat
   if (state.comes_back) state.along = next;
   if (came_back || state.comes_back) watch.head_for_next(time);
   return came_back;
+}
+
+// How far along the leg of a piece, from its beginning, the robot is [m].
+double passed_on_leg(std::span<const geom::Point> way, const ErrandState& state, geom::Point here) {
+  if (state.leg == 0 || state.leg >= way.size()) return 0.0;
+  return geom::distance(way[state.leg - 1], geom::nearest_point({way[state.leg - 1], way[state.leg]}, here));
+}
+
+// Whether the rest of the piece comes nearer to a place than the robot is.
+bool comes_nearer(std::span<const geom::Point> way, const ErrandState& state, geom::Point here,
+                  geom::Point place) {
+  constexpr double kNearer = 0.5;  // [m]
+  const double away = geom::distance(here, place) - kNearer;
+  geom::Point from = here;
+  for (std::size_t i = state.leg; i < way.size(); ++i) {
+    if (geom::distance(geom::nearest_point({from, way[i]}, place), place) < away) return true;
+    from = way[i];
+  }
+  return false;
+}
+
+/// Of what lies beside the piece it goes back to what it has left unseen, where it will come no nearer to it
+/// later on; to all of it before the piece is done. What it can't come to, or see from where it comes to, it
+/// leaves out.
+/// @return  whether it heads for that, not along the piece
+bool look_back(const Percepts& percepts, std::span<const geom::Point> way, LegWatch::Verdict verdict,
+               ErrandState& state, LegWatch& watch) {
+  const geom::Point here = percepts.pose.position;
+  const double reach = 0.5 * percepts.order.swath;
+  const bool is_through = state.leg >= way.size();
+  const bool looked_back = state.looks_back;
+  Swept& swept = state.swept;
+  if (!state.was_there) return false;
+  const double passed = passed_on_leg(way, state, here);
+  const bool has_looked =
+      looked_back || swept.pass(percepts.ground, way, state.leg, passed, percepts.order.margin, reach);
+  if (looked_back && verdict != LegWatch::Verdict::kUnderWay)
+    swept.give_up(state.back_to, verdict == LegWatch::Verdict::kInVain ? reach : 0.0);
+  if (looked_back && swept.misses(state.back_to)) return true;
+  const bool wants_all = is_through || swept.is_nearly_full();
+  const geom::Point* best = nullptr;
+  for (const geom::Point& place : swept.missed()) {
+    if (!wants_all && comes_nearer(way, state, here, place)) continue;
+    if (best == nullptr || geom::distance(here, place) < geom::distance(here, *best)) best = &place;
+  }
+  state.looks_back = best != nullptr;
+  if (best != nullptr) state.back_to = *best;
+  if (looked_back || state.looks_back) watch.head_for_next(percepts.time);
+  if (!looked_back && state.looks_back) {
+    // It comes back to where it leaves the leg, or would have come to it.
+    state.along = std::max((state.comes_back ? state.along : passed) - kAheadOnLeg, 0.0);
+    state.comes_back = false;
+  }
+  return state.looks_back || (is_through && !has_looked);
 }
 
 // That it has come to nothing of a part, and what stands there.
@@ -309,8 +364,15 @@ geom::Point go_on_with(const Percepts& percepts, const Errands& errands, std::si
     state.along = 0.0;
     state.comes_back = false;
     state.was_there = false;
+    state.looks_back = false;
+    state.swept.begin();
     watch.head_for_next(time);
     verdict = LegWatch::Verdict::kUnderWay;
+  }
+  if (percepts.order.swath > 0.0) {
+    const bool looked_back = state.looks_back;
+    if (look_back(percepts, way, verdict, state, watch)) return state.looks_back ? state.back_to : here;
+    if (looked_back) verdict = LegWatch::Verdict::kUnderWay;
   }
   if (state.leg < way.size() && verdict == LegWatch::Verdict::kThere) state.was_there = true;
   if (come_back_to_leg(way, here, verdict, time, state, watch)) verdict = LegWatch::Verdict::kUnderWay;
@@ -357,6 +419,7 @@ geom::Point next_errand(const Percepts& percepts, LegWatch::Verdict verdict, Err
   const Errands errands(percepts);
   keep_tasks(percepts, action);
   geom::Point out = percepts.pose.position;
+  if (percepts.order.swath > 0.0) state.swept.look(percepts.ground, out, 0.5 * percepts.order.swath);
   // What it set out for it keeps: of two ways of nearly the same length now one is shorter, now the other
   // one.
   const Contract* next =

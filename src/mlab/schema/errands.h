@@ -10,6 +10,7 @@
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
 #include "mlab/percept/shared_route.h"
+#include "mlab/schema/swept.h"
 
 namespace mlab::schema {
 
@@ -110,6 +111,9 @@ struct ErrandState {
   double along = 0.0;         ///< the leg, so far it has tried to come back to it [m]
   bool comes_back = false;    ///< it heads for that place, not for the corner
   bool was_there = false;     ///< at some place of that part
+  bool looks_back = false;    ///< it heads for a place that it has left unseen
+  geom::Point back_to;        ///< that one [m, world]
+  Swept swept;                ///< of a piece of a search
   ErrandSet given_back;       ///< it does not bid for them again
 };
 /// Where a robot is to go next that shares a VISIT or a SEARCH. Announces the parts that nobody has
