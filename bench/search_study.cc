@@ -200,7 +200,7 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const Field& fie
     overlay::EnvironmentEvent event;
     event.start = 1.0;
     for (const auto& [center, radius] : field.rocks)
-      event.changes.push_back(overlay::AddObstacle{center, radius});
+      event.changes.emplace_back(overlay::AddObstacle{center, radius});
     settings.environment.events.push_back(event);
   }
   robot::ProgramSources sources;

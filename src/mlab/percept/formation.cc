@@ -128,7 +128,7 @@ geom::Vector station(Formation formation, int rank, int count, double spacing) {
     geom::Vector place;
   };
   constexpr std::size_t kHeld = 16;
-  thread_local std::array<Known, kHeld> held;
+  static thread_local std::array<Known, kHeld> held;
   Known& one = held[static_cast<std::size_t>(rank) % kHeld];
   if (one.formation != formation || one.rank != rank || one.count != count || one.spacing != spacing)
     one = {formation, rank, count, spacing, computed_station(formation, rank, count, spacing)};
