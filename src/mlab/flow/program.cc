@@ -321,8 +321,12 @@ void Program::add_needs(const Block& block, const std::byte* frame, bool starts_
 
 percept::Needs Program::needs(const std::byte* frame, const Interventions* interventions) const {
   percept::Needs out;
-  // Who asks for its needs will step soon, and nothing tells the processor that it comes to these then.
-  for (const std::uint32_t offset : large_) __builtin_prefetch(frame + offset, 1);
+  // Who asks for its needs will step soon, and nothing tells the processor that it comes to these then. So
+  // many lines of a way are read as long as it has few corners.
+  constexpr std::size_t kLines = 3;
+  for (const std::uint32_t offset : large_) {
+    for (std::size_t i = 0; i < kLines; ++i) __builtin_prefetch(frame + offset + i * Frame::kAlignment, 1);
+  }
   add_needs(root_, frame, false, interventions, out);
   return out;
 }
