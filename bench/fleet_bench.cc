@@ -4,8 +4,8 @@
 //     fleet_bench lock-step [ROBOTS] [AGENTS] [SECONDS]       robot-cycles per second, as a run has them
 //     fleet_bench real-time [ROBOTS] [AGENTS] [SECONDS] [HZ]  from percepts to the action that answers them
 //     fleet_bench stop [ROBOTS] [AGENTS] [PULLS] [LOST_OF_THOUSAND]  from the emergency stop to `stand`
-//     fleet_bench join [AGENTS]                               until somebody who begins with them has found
-//     all fleet_bench rest [AGENTS] [SECONDS]                     what a fleet takes that does nothing
+//     fleet_bench join [AGENTS]                               until who begins with them has found all
+//     fleet_bench rest [AGENTS] [SECONDS]                     what a fleet takes that does nothing
 //
 // With --secure as the last word the fleet is a secured one, and all agents have the same identity.
 

@@ -172,6 +172,7 @@ TEST(NextErrand, KeepsToTheLegsOfASearchRoundWhatNobodyKnewOf) {
   Unit unit{.route = {{0, 0}, {0, 9}, {0, 9}, {60, 9}}, .task = Task::kSearch};
   unit.add(0, ContractState::kDone, 1).add(1, ContractState::kAwarded, 2);
   flow::BehaviorProbe p = unit.probe_of("NextErrand");
+  p.percepts.order.swath = 10.0;
   struct Step {
     geom::Point at;
     double left;  // of the way to what it heads for

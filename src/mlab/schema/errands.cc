@@ -242,9 +242,12 @@ void bid_for_pieces(const Percepts& percepts, const Errands& errands, const Erra
 /// Who has left a leg of a search comes back to it so far ahead [m], not at the next corner: so what nobody
 /// knew of makes a robot leave a leg only as long as it stands beside it.
 constexpr double kAheadOnLeg = 5.0;
-/// Who is farther from it has left it [m], until it is so near to it again.
-constexpr double kOffLeg = 0.35;
-constexpr double kOnLeg = 0.15;
+/// Who is farther from it than so much of the swath, and than so many metres, has left it, until it is so
+/// near to it again.
+constexpr double kOffLeg = 0.035;
+constexpr double kLeastOffLeg = 0.35;
+constexpr double kOnLeg = 0.015;
+constexpr double kLeastOnLeg = 0.15;
 
 /// Where to head for on the way to a corner of a search's piece.
 geom::Point on_leg(std::span<const geom::Point> way, const ErrandState& state) {
@@ -257,16 +260,20 @@ geom::Point on_leg(std::span<const geom::Point> way, const ErrandState& state) {
 /// Who has left its leg heads for a place on it, and for a later one when it has passed half of what was
 /// ahead, or can't come to that; else for the corner. No place is tried twice.
 /// @return  whether it did not head for the corner before: what became of that is seen to then
-bool come_back_to_leg(std::span<const geom::Point> way, geom::Point here, LegWatch::Verdict verdict,
-                      double time, ErrandState& state, LegWatch& watch) {
+bool come_back_to_leg(std::span<const geom::Point> way, const Percepts& percepts, LegWatch::Verdict verdict,
+                      ErrandState& state, LegWatch& watch) {
   if (state.leg == 0 || state.leg >= way.size()) return false;
+  const geom::Point here = percepts.pose.position;
   const geom::Segment leg{way[state.leg - 1], way[state.leg]};
   const geom::Point nearest = geom::nearest_point(leg, here);
   const double passed = geom::distance(leg.a, nearest);
   const bool is_under_way = verdict == LegWatch::Verdict::kUnderWay;
   const bool is_in_vain = verdict == LegWatch::Verdict::kInVain;
   const bool came_back = state.comes_back;
-  const bool is_on_leg = geom::distance(here, nearest) < (came_back ? kOnLeg : kOffLeg);
+  const double away = geom::distance(here, nearest);
+  const double swath = percepts.order.swath;
+  const bool is_on_leg =
+      away < (came_back ? std::max(kLeastOnLeg, kOnLeg * swath) : std::max(kLeastOffLeg, kOffLeg * swath));
   if (came_back && is_under_way && passed < state.along - 0.5 * kAheadOnLeg) return true;
   if (!came_back && (!is_under_way || is_on_leg)) return false;
   const double length = geom::distance(leg.a, leg.b);
@@ -277,7 +284,7 @@ bool come_back_to_leg(std::span<const geom::Point> way, geom::Point here, LegWat
   state.comes_back = !is_at_corner && !(is_on_leg && !is_in_vain);
   if (is_at_corner) state.along = length;
   if (state.comes_back) state.along = next;
-  if (came_back || state.comes_back) watch.head_for_next(time);
+  if (came_back || state.comes_back) watch.head_for_next(percepts.time);
   return came_back;
 }
 
@@ -375,7 +382,7 @@ geom::Point go_on_with(const Percepts& percepts, const Errands& errands, std::si
     if (looked_back) verdict = LegWatch::Verdict::kUnderWay;
   }
   if (state.leg < way.size() && verdict == LegWatch::Verdict::kThere) state.was_there = true;
-  if (come_back_to_leg(way, here, verdict, time, state, watch)) verdict = LegWatch::Verdict::kUnderWay;
+  if (come_back_to_leg(way, percepts, verdict, state, watch)) verdict = LegWatch::Verdict::kUnderWay;
   // What it can't come to it leaves out.
   if (state.leg < way.size() && verdict != LegWatch::Verdict::kUnderWay) {
     ++state.leg;

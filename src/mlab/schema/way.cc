@@ -203,8 +203,9 @@ bool is_beyond(const ways::Bounds& area, geom::Point a, geom::Point b) {
   return at < way.length ? from + (way.corners[1] - from) * (at / way.length) : way.corners[1];
 }
 
-/// Most ways do, and all of what follows comes to the same then.
-bool leads_straight(const ways::Clearing& wide, geom::Point from, geom::Point goal) {
+/// Whether nothing is in front of the goal: most often so, and all that plan_way looks at comes to the same
+/// then.
+bool is_straight_free(const ways::Clearing& wide, geom::Point from, geom::Point goal) {
   return wide.is_free(from) && wide.is_free(goal) && wide.is_free(geom::Segment{from, goal});
 }
 
@@ -252,7 +253,8 @@ struct Question {
   friend bool operator==(const Question&, const Question&) = default;
 };
 
-/// As plan_way, likewise. The robots of a unit ask for its way one after the other.
+/// As plan_way, where more than one piece may be needed. The robots of a unit ask for its way one after the
+/// other.
 PlannedWay remembered_way(const Question& asked, const percept::KnownGround& ground) {
   struct Answer {
     Question question;  // of revision 0: none
@@ -310,7 +312,7 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
   if (ground.revision == 0 || !is_finite(from) || !is_finite(goal)) {
     lead_straight(from, goal, radius + margin, out);
   } else if (const double wide = ways::Clearances(radius, margin).widest();
-             leads_straight(sites().at(ground, wide)->clearing(), from, goal)) {
+             is_straight_free(sites().at(ground, wide)->clearing(), from, goal)) {
     lead_straight(from, goal, wide, out);
   } else {
     return remembered_way({ground.revision, from, goal, radius, margin}, ground);
