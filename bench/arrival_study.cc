@@ -16,8 +16,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -256,12 +254,7 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const World& wor
   const std::string map =
       fmt::format("MISSION-AREA {} {}\nCONTROL MEASURES:\n", world.map.size.width, world.map.size.height) +
       world.map.features;
-  if (!options.folder.empty()) {
-    std::filesystem::create_directories(options.folder);
-    std::ofstream(fmt::format("{}/study_{}.mdl", options.folder, seed))
-        << fmt::format("OVERLAY map_{}.odl\n", seed) << mission.substr(mission.find('\n') + 1);
-    std::ofstream(fmt::format("{}/map_{}.odl", options.folder, seed)) << map;
-  }
+  if (!options.folder.empty()) write_mission(options.folder, "study", seed, mission, map);
   const auto checked = mission_of(mission, map, seed);
   if (!checked) return nullptr;
   text::Diagnostics sink;

@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -185,12 +184,7 @@ std::unique_ptr<run::MissionRun> run_of(const Options& options, const Field& fie
   map += "\n";
   const bool is_known = options.rocks == "known";
   if (is_known) map += written(field.rocks, "OBSTACLE");
-  if (!options.folder.empty()) {
-    std::filesystem::create_directories(options.folder);
-    std::ofstream(fmt::format("{}/search_{}.mdl", options.folder, seed))
-        << fmt::format("OVERLAY map_{}.odl\n", seed) << mission.substr(mission.find('\n') + 1);
-    std::ofstream(fmt::format("{}/map_{}.odl", options.folder, seed)) << map;
-  }
+  if (!options.folder.empty()) write_mission(options.folder, "search", seed, mission, map);
   const auto checked = mission_of(mission, map, seed);
   if (!checked) return nullptr;
   text::Diagnostics sink;
