@@ -292,26 +292,63 @@ TEST(NextErrand, TakesOnePieceAtATimeAndLeavesOthersTheirShares) {
   EXPECT_TRUE(asked(p, Kind::kBid).empty());
 }
 
-TEST(NextErrand, LeavesTheLastPieceOfAShareToWhoIsOnTheOneBefore) {
-  Unit unit{.route = {}, .task = Task::kSearch};
-  for (int i = 0; i < 8; ++i) {
-    unit.route.push_back({i * 10.0, 0});
-    unit.route.push_back({i * 10.0 + 10.0, 0});
+// A robot that has nothing left to do, beside the share that robot 1 is on the first piece of: from (0, 0)
+// on, each of 100 m.
+struct Helper : Unit {
+  Helper() : Unit{.route = {}, .task = Task::kSearch} {
+    for (int i = 0; i < 4; ++i) {
+      route.push_back({i * 100.0, 0});
+      route.push_back({i * 100.0 + 100.0, 0});
+    }
+    for (std::uint32_t i = 0; i < 4; ++i) add(i, ContractState::kOpen);
+    contracts[0].state = ContractState::kStarted;
+    contracts[0].contractor = {1};
   }
-  for (std::uint32_t i = 0; i < 8; ++i) unit.add(i, ContractState::kDone, i < 4 ? 1 : 2);
-  unit.contracts[2].state = ContractState::kStarted;
-  unit.contracts[3].state = ContractState::kOpen;
-  unit.contracts[3].contractor = {};
-  flow::BehaviorProbe p = unit.probe_of("NextErrand");
-  p.step();
-  EXPECT_TRUE(asked(p, Kind::kBid).empty());
-  unit.contracts[2].contractor = {};  // lost
-  unit.contracts[2].state = ContractState::kOpen;
-  p.action = {};
-  unit.tell(p);
-  p.step();
-  ASSERT_EQ(asked(p, Kind::kBid).size(), 1U);
-  EXPECT_EQ(asked(p, Kind::kBid)[0].object.value, 3U);
+  /// The pieces that it bids for, from 1.
+  std::vector<std::uint32_t> bids_at(geom::Point place, double time = 10.0) const {
+    flow::BehaviorProbe p = probe_of("NextErrand");
+    p.percepts.pose.position = place;
+    p.percepts.time = time;
+    p.step();
+    std::vector<std::uint32_t> out;
+    for (const Request& bid : asked(p, Kind::kBid)) out.push_back(bid.object.value);
+    return out;
+  }
+};
+
+TEST(NextErrand, HelpsWithTheLastPieceOfAShareWhereItIsThereInTime) {
+  const Helper helper;
+  EXPECT_EQ(helper.bids_at({400, 0}), (std::vector<std::uint32_t>{4}));
+  EXPECT_EQ(helper.bids_at({300, 190}), (std::vector<std::uint32_t>{4}));
+  EXPECT_TRUE(helper.bids_at({300, 210}).empty()) << "the other one is there before";
+}
+
+TEST(NextErrand, WaitsForTheNextPieceOfItsShareUntilThatIsOnOfferAgain) {
+  Helper own;
+  own.contracts[0].state = ContractState::kDone;
+  own.contracts[0].contractor = {2};
+  own.contracts[1].state = ContractState::kFailed;  // nobody wanted it, as all were busy
+  EXPECT_TRUE(own.bids_at({100, 0}).empty());
+  own.contracts[1].state = ContractState::kOpen;
+  EXPECT_EQ(own.bids_at({100, 0}), (std::vector<std::uint32_t>{2}));
+}
+
+TEST(NextErrand, LeavesTheNextPieceToWhoIsOnTheOneBefore) {
+  Helper helper;
+  for (std::size_t i = 2; i < 4; ++i) {
+    helper.contracts[i].state = ContractState::kDone;
+    helper.contracts[i].contractor = {2};
+  }
+  EXPECT_TRUE(helper.bids_at({100, 0}).empty());
+  helper.contracts[0].contractor = {};  // lost
+  helper.contracts[0].state = ContractState::kOpen;
+  EXPECT_EQ(helper.bids_at({100, 0}), (std::vector<std::uint32_t>{1}));
+}
+
+TEST(NextErrand, TakesTheNextPieceOfWhoTakesLong) {
+  const Helper helper;
+  EXPECT_TRUE(helper.bids_at({100, 500}, 129.0).empty());
+  EXPECT_EQ(helper.bids_at({100, 500}, 131.0), (std::vector<std::uint32_t>{2}));
 }
 
 TEST(ErrandsLeft, CountsThoseThatAreNotDone) {

@@ -201,6 +201,16 @@ bool can_divide(const Run& run) {
          run.command->technique != Technique::kTraveling;
 }
 
+// Where each of them is, as far as it is known: else where the first one is that is in sight.
+std::vector<geom::Point> places_of(const State& state, const std::vector<base::RobotId>& robots) {
+  std::vector<geom::Point> out;
+  for (const base::RobotId id : robots) {
+    if (const auto place = centre(state, {id})) out.push_back(*place);
+  }
+  if (!out.empty()) out.resize(robots.size(), out.front());
+  return out;
+}
+
 }  // namespace
 
 std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members) {
@@ -226,8 +236,7 @@ std::vector<PlannedPart> plan_parts(const State& state, Run& run) {
     return alone;
   }
   if (run.command->task == Task::kSearch) {
-    const std::optional<geom::Point> from = centre(state, {run.needed.front()});
-    SearchWay way = plan_search(*state.mission, *run.command, run.needed, from);
+    SearchWay way = plan_search(*state.mission, *run.command, run.needed, places_of(state, run.needed));
     UnitCommand own = *run.command;
     own.route = std::move(way.route);
     own.margin = way.margin;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "mlab/mission/known_map.h"
@@ -16,20 +17,41 @@
 namespace mlab::mission {
 namespace {
 
+constexpr std::size_t kMostShares = percept::kMostParts / percept::kPiecesOfAShare;
 constexpr int kSidesOfACircle = 32;
 constexpr double kWorthTelling = 0.98;  // a smaller share of the area that is seen
 constexpr double kLeastMargin = 0.1;    // [m]
 constexpr double kNearEnough = 0.9;     // to see what lies round a thing [half of the swath]
 constexpr double kOffWay = 0.15;        // a robot may be so far beside its lane [m]
 
+// The way of a share, with its corners.
+std::vector<geom::Point> way_of(const ways::Coverage& found, std::size_t share) {
+  const std::size_t first = found.shares[share];
+  const std::size_t end = share + 1 < found.shares.size() ? found.shares[share + 1] : found.waypoints.size();
+  std::vector<geom::Point> out = {found.waypoints[first]};
+  for (std::size_t i = first + 1; i < end; ++i) {
+    out.insert(out.end(), found.corners[i - 1].begin(), found.corners[i - 1].end());
+    if (!(found.waypoints[i] == out.back())) out.push_back(found.waypoints[i]);
+  }
+  return out;
+}
+
+double length_of(std::span<const geom::Point> way) {
+  double out = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) out += geom::distance(way[i - 1], way[i]);
+  return out;
+}
+
 // Cut into pieces of equal length; where one ends and the next begins the point stands twice. Cut where the
 // way leads round something, too: a straight line from waypoint to waypoint may lead through it.
-std::vector<geom::Point> cut(const ways::Coverage& found, std::size_t pieces) {
-  const double piece = found.length / static_cast<double>(pieces);
-  std::vector<geom::Point> out = {found.waypoints.front()};
+std::vector<geom::Point> cut(std::span<const geom::Point> way, std::size_t pieces) {
+  const double piece = length_of(way) / static_cast<double>(pieces);
+  std::vector<geom::Point> out = {way.front()};
   double left = piece;
   std::size_t cuts = 1;
-  const auto go_to = [&](geom::Point from, geom::Point to) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    geom::Point from = way[i - 1];
+    const geom::Point to = way[i];
     for (double rest = geom::distance(from, to); cuts < pieces && rest > left;
          rest -= std::exchange(left, piece)) {
       from = from + (to - from) * (left / rest);
@@ -38,21 +60,34 @@ std::vector<geom::Point> cut(const ways::Coverage& found, std::size_t pieces) {
       ++cuts;
     }
     left -= geom::distance(from, to);
-  };
-  for (std::size_t i = 1; i < found.waypoints.size(); ++i) {
-    geom::Point from = found.waypoints[i - 1];
-    for (const geom::Point corner : found.corners[i - 1]) go_to(std::exchange(from, corner), corner);
-    go_to(from, found.waypoints[i]);
-    if (!(found.waypoints[i] == out.back())) out.push_back(found.waypoints[i]);
+    if (!(to == out.back())) out.push_back(to);
   }
   return out;
 }
 
-// No shorter than some swaths, so that robots are not in each other's way.
+// Of one share that is for so many robots: no shorter than some swaths, so that they are not in each other's
+// way.
 std::size_t pieces_of(const ways::Coverage& found, const UnitCommand& command, std::size_t robots) {
   constexpr double kLeast = 3.0;
   const auto most = static_cast<std::size_t>(std::min(found.length / (kLeast * command.swath), 1e3));
   return std::clamp<std::size_t>(most, 1, std::min(percept::kMostParts, percept::kPiecesOfAShare * robots));
+}
+
+// As percept::piece reads it.
+std::vector<geom::Point> route_of(const ways::Coverage& found, const UnitCommand& command,
+                                  std::size_t robots) {
+  if (found.waypoints.empty()) return {};
+  if (found.shares.size() == 1) return cut(way_of(found, 0), pieces_of(found, command, robots));
+  std::vector<geom::Point> out;
+  for (std::size_t share = 0; share < found.shares.size(); ++share) {
+    const auto pieces = cut(way_of(found, share), percept::kPiecesOfAShare);
+    if (share > 0) {
+      const std::size_t repeated = pieces.front() == out.back() ? 0 : 2;
+      out.insert(out.end(), repeated, pieces.front());
+    }
+    out.insert(out.end(), pieces.begin(), pieces.end());
+  }
+  return out;
 }
 
 std::string warning_of(const ways::Coverage& found, const UnitCommand& command, const std::string& name) {
@@ -120,14 +155,15 @@ std::vector<geom::Point> area_of(const overlay::ControlMeasure& measure) {
 }
 
 SearchWay plan_search(const Mission& mission, const UnitCommand& command,
-                      const std::vector<base::RobotId>& robots, std::optional<geom::Point> from) {
+                      const std::vector<base::RobotId>& robots, std::span<const geom::Point> places) {
   const Terms terms(mission, command, robots.front());
   const ways::Coverage found =
-      ways::coverage_route(command.route, terms.ground, terms.clearances(), terms.swath, from, terms.opaque);
+      ways::coverage_route(command.route, terms.ground, terms.clearances(), terms.swath,
+                           places.first(std::min(places.size(), kMostShares)), terms.opaque);
   SearchWay out;
   out.margin = std::max(found.clearance - terms.radius, 0.0);
   out.warning = warning_of(found, command, command.place_name);
-  if (!found.waypoints.empty()) out.route = cut(found, pieces_of(found, command, robots.size()));
+  out.route = route_of(found, command, robots.size());
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,8 @@ std::vector<geom::Point> area_of(const overlay::ControlMeasure& measure);
 
 /// The way by which a unit searches an area.
 struct SearchWay {
-  /// For as many robots: pieces of equal length, four for each robot. Where a point stands twice the next
-  /// piece begins. Empty where there is nothing to search [m, world].
+  /// A share for each robot, as far as that is worth it, in four pieces of equal length, as percept::piece
+  /// reads them. Empty where there is nothing to search [m, world].
   std::vector<geom::Point> route;
   double margin = 0.0;  ///< that it keeps from the edges of things, where there is room [m]
   std::string warning;  ///< what of the area will not be seen, and why; empty: nothing worth telling
@@ -25,10 +26,11 @@ struct SearchWay {
 /// margin that its first robot keeps, or at less where less would be seen otherwise.
 /// @param command  a SEARCH
 /// @param robots   who shares it, at least one
-/// @param from     where the first of them is; nothing: nobody knows [m, world]
+/// @param places   where they are, of each one: shares are about as long, with the way there; empty: nobody
+///                 knows [m, world]
 /// @source  mlab/ways/coverage.h
 SearchWay plan_search(const Mission& mission, const UnitCommand& command,
-                      const std::vector<base::RobotId>& robots, std::optional<geom::Point> from);
+                      const std::vector<base::RobotId>& robots, std::span<const geom::Point> places);
 
 /// What of the area no robot will see, and why, as far as that can be told at once; empty: nothing worth
 /// telling.

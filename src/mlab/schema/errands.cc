@@ -110,11 +110,14 @@ bool Errands::is_share_of_another(std::size_t errand, base::RobotId robot) const
   return false;
 }
 
-bool Errands::is_left_to_another(std::size_t errand, base::RobotId robot) const {
-  const bool is_last = (errand + 1) % percept::kPiecesOfAShare == 0 || errand + 1 == count_;
-  if (!is_last || errand % percept::kPiecesOfAShare == 0) return false;
-  const Contract* before = contracts_[errand - 1];
-  return before != nullptr && before->contractor != robot && is_held(*before, before->contractor);
+std::optional<std::size_t> Errands::piece_of_another(std::size_t share, base::RobotId robot) const {
+  const std::size_t first = share * percept::kPiecesOfAShare;
+  for (std::size_t i = first; i < std::min(first + percept::kPiecesOfAShare, count_); ++i) {
+    const Contract* contract = contracts_[i];
+    if (contract != nullptr && contract->contractor != robot && is_held(*contract, contract->contractor))
+      return i;
+  }
+  return std::nullopt;
 }
 
 void LegWatch::head_for_next(double time) {
@@ -215,28 +218,54 @@ void bid_for_places(const Percepts& percepts, const Errands& errands, const Erra
   if (best != nullptr) bid(*best, least, action);
 }
 
-// One at a time: of each share the first that is on offer, since the next one begins where it ends; of these
-// the nearest, of others' shares last.
+// Which piece of a share a robot would take that has none: the first that nobody has, since the next one
+// begins where it ends. Where somebody else goes along the share it is the last one, if this robot is there
+// before he has done those before it; but of who takes long the first one.
+std::optional<std::size_t> piece_to_take(const Percepts& percepts, const Errands& errands,
+                                         const ErrandSet& given_back, std::size_t share) {
+  constexpr double kSlow = 1.0;    // [m/s]
+  constexpr double kGrace = 30.0;  // [s]
+  const std::size_t begin = share * percept::kPiecesOfAShare;
+  const std::size_t end = std::min(begin + percept::kPiecesOfAShare, errands.count());
+  const auto is_left = [&](std::size_t i) {
+    const Contract* contract = errands.contract(i);
+    if (contract == nullptr) return true;
+    const bool is_nobodys =
+        contract->state == ContractState::kOpen || contract->state == ContractState::kFailed;
+    return is_nobodys && contract->reneged != percepts.id && !given_back.has(i);
+  };
+  std::size_t first = begin;
+  while (first < end && !is_left(first)) ++first;
+  if (first == end) return std::nullopt;
+  const auto under_way = errands.piece_of_another(share, percepts.id);
+  if (!under_way) return first;
+  const double length = route_length(errands.way(*under_way));
+  if (percepts.time - errands.contract(*under_way)->time > length / kSlow + kGrace) return first;
+  std::size_t last = end - 1;
+  while (!is_left(last)) --last;
+  const double pieces_before = static_cast<double>(last) - static_cast<double>(*under_way) - 1.0;
+  const double away = geom::distance(percepts.pose.position, errands.way(last).front());
+  return away < pieces_before * length ? std::optional(last) : std::nullopt;
+}
+
+// One at a time: the nearest, of others' shares last. For one that is not on offer just now it waits: it is
+// announced again.
 void bid_for_pieces(const Percepts& percepts, const Errands& errands, const ErrandSet& given_back,
                     percept::Action& action) {
   if (errands.has_one(percepts.id)) return;
   const double aside = 1.0 + route_length(percepts.order.route);  // farther than anything on it
   const Contract* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  std::size_t next_share = 0;
-  for (std::size_t i = 0; i < errands.count(); ++i) {
-    const Contract* contract = errands.contract(i);
-    if (i / percept::kPiecesOfAShare < next_share) continue;
-    if (contract == nullptr || !may_bid(*contract, percepts.id) || given_back.has(i)) continue;
-    if (errands.is_left_to_another(i, percepts.id)) continue;
-    next_share = i / percept::kPiecesOfAShare + 1;
-    const double cost = geom::distance(percepts.pose.position, contract->place) +
-                        (errands.is_share_of_another(i, percepts.id) ? aside : 0.0);
+  for (std::size_t share = 0; share * percept::kPiecesOfAShare < errands.count(); ++share) {
+    const auto errand = piece_to_take(percepts, errands, given_back, share);
+    if (!errand) continue;
+    const double cost = geom::distance(percepts.pose.position, errands.way(*errand).front()) +
+                        (errands.is_share_of_another(*errand, percepts.id) ? aside : 0.0);
     if (cost >= least) continue;
-    best = contract;
+    best = errands.contract(*errand);
     least = cost;
   }
-  if (best != nullptr) bid(*best, least, action);
+  if (best != nullptr && may_bid(*best, percepts.id)) bid(*best, least, action);
 }
 
 /// Who has left a leg of a search comes back to it so far ahead [m], not at the next corner: so what nobody

@@ -39,9 +39,8 @@ class Errands {
   /// Whether those that are left were given back by all who could have them: for some seconds nobody has had
   /// one, or wanted one. Where there is none at all, nobody can.
   bool are_given_up(double time) const;
-  /// Whether a piece is the last one of its share that nobody has, and somebody else is on the one before: he
-  /// goes straight on with it, before who would come from elsewhere.
-  bool is_left_to_another(std::size_t errand, base::RobotId robot) const;
+  /// The piece of a share that somebody else than its robot has; nothing: nobody has one. From 0.
+  std::optional<std::size_t> piece_of_another(std::size_t share, base::RobotId robot) const;
   /// Whether another robot than this has, or had, one of the pieces of the share that this one belongs to.
   bool is_share_of_another(std::size_t errand, base::RobotId robot) const;
 

@@ -147,8 +147,9 @@ std::optional<Coverage> coverage_outlook(std::span<const geom::Point> outline, c
 }
 
 Coverage coverage_route(std::span<const geom::Point> outline, const Ground& ground,
-                        const Clearances& clearances, double swath, std::optional<geom::Point> from,
+                        const Clearances& clearances, double swath, std::span<const geom::Point> robots,
                         const Opaque& opaque) {
+  const auto from = robots.empty() ? std::nullopt : std::optional(robots.front());
   const auto outlook =
       widest_outlook(task_of(outline, ground, swath, from, opaque), clearances, Planner::kNoLimit);
   Coverage out = outlook->told;
@@ -156,14 +157,15 @@ Coverage coverage_route(std::span<const geom::Point> outline, const Ground& grou
   SearchGrid& grid = *outlook->grid;
   BendingPlanner& planner = *outlook->planner;
   planner.know_rooms([&](geom::Point p) { return grid.room_of(p, planner.clearing()); });
-  const auto pieces = lane_pieces_in_order(grid, planner);
-  SearchRoute route(grid, planner, pieces, kMostEffort);
+  const auto shares = shared_out(lane_pieces_in_order(grid, planner), planner, robots, swath);
+  SearchRoute route(grid, planner, shares, kMostEffort);
   const auto to_see = static_cast<double>(grid.to_see());
   const auto most_unseen = static_cast<std::size_t>(kUnseen * to_see);
   improve(route, most_unseen);
-  auto [waypoints, corners] = route.waypoints();
-  out.waypoints = std::move(waypoints);
+  auto [stops, corners, first_stops] = route.waypoints();
+  out.waypoints = std::move(stops);
   out.corners = std::move(corners);
+  out.shares = std::move(first_stops);
   out.length = route.length();
   out.seen = 1.0 - static_cast<double>(grid.unseen()) / to_see;
   out.end = out.seen >= Coverage::kWanted ? CoverageEnd::kCovered : CoverageEnd::kPartly;

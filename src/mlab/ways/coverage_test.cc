@@ -147,7 +147,7 @@ TEST(Coverage, LooksWhereAWayLeadsFromWhereRobotsAre) {
   };
   for (const bool is_within : {false, true}) {
     const geom::Point from = is_within ? geom::Point{50.0, 50.0} : geom::Point{-30.0, 40.0};
-    const Coverage out = coverage_route(area, ground, 1.0, 10.0, from);
+    const Coverage out = coverage_route(area, ground, 1.0, 10.0, std::array{from});
     EXPECT_EQ(out.end, CoverageEnd::kCovered);
     EXPECT_TRUE(
         std::ranges::all_of(out.waypoints, [&](geom::Point p) { return is_in_room(p) == is_within; }));
@@ -204,7 +204,7 @@ TEST(Coverage, LooksBehindAWallThatItPassesCloseBy) {
   Ground ground;
   ground.walls = {{{2.0, 8.0}, {98.0, 8.0}}};
   const Outline outline = rectangle(100.0, 11.0);
-  const Coverage out = coverage_route(outline, ground, 0.5, 20.0, geom::Point{50.0, 4.0});
+  const Coverage out = coverage_route(outline, ground, 0.5, 20.0, std::array{geom::Point{50.0, 4.0}});
   EXPECT_EQ(out.end, CoverageEnd::kCovered);
   SeenPlaces places(outline, ground, 0.5, 20.0, 100.0, 0.5);
   const Walked real = walked(out, ground, 0.5, 20.0, places);
@@ -218,7 +218,9 @@ TEST(Coverage, SeesOverAnEdgeThatIsNotOpaque) {
   for (std::size_t i = 0; i < area.size(); ++i)
     ground.walls.push_back({area[i], area[(i + 1) % area.size()]});
   const auto visible = [&](const std::optional<std::vector<geom::Segment>>& opaque) {
-    return coverage_route(rectangle(100.0, 100.0), ground, 1.0, 10.0, geom::Point{5.0, 5.0}, opaque).visible;
+    return coverage_route(rectangle(100.0, 100.0), ground, 1.0, 10.0, std::array{geom::Point{5.0, 5.0}},
+                          opaque)
+        .visible;
   };
   EXPECT_NEAR(visible(std::nullopt), 0.96, 0.003);
   // 4 m far into it.
@@ -250,7 +252,8 @@ TEST(Coverage, GoesThroughEveryDoorThatTheLeastClearancePasses) {
   for (const double door : {1.2, 2.0, 4.0, 6.0, 9.0, 10.0, 11.0}) {
     SCOPED_TRACE("a door of " + std::to_string(door) + " m");
     const Ground ground = four_rooms(door);
-    const Coverage out = coverage_route(outline, ground, clearances, 10.0, geom::Point{20.0, 20.0});
+    const Coverage out =
+        coverage_route(outline, ground, clearances, 10.0, std::array{geom::Point{20.0, 20.0}});
     EXPECT_EQ(out.end, CoverageEnd::kCovered);
     EXPECT_GT(out.visible, 0.999);
     SeenPlaces places(outline, ground, clearances.least(), 10.0, 100.0, 0.4);
@@ -282,7 +285,7 @@ TEST(Coverage, SearchesRoomsThatAreTooNarrowForTheWholeMargin) {
   }
   const Clearances clearances(0.2, 5.0);
   const Outline outline = rectangle(24.0, 12.0);
-  const Coverage out = coverage_route(outline, ground, clearances, 3.0, geom::Point{40.0, 2.0});
+  const Coverage out = coverage_route(outline, ground, clearances, 3.0, std::array{geom::Point{40.0, 2.0}});
   EXPECT_EQ(out.end, CoverageEnd::kCovered);
   EXPECT_GT(out.visible, 0.99);
   for (const double x : {3.0, 9.0, 15.0, 21.0}) {
@@ -342,6 +345,65 @@ TEST(Coverage, SearchesOutlinesThatTouchOrCrossThemselves) {
   const Coverage hollow = coverage_route(ring, {}, 1.0, 10.0);
   EXPECT_EQ(hollow.end, CoverageEnd::kCovered);
   EXPECT_NEAR(hollow.free_area, 8'400.0, 200.0);
+}
+
+/// How far a robot goes that follows a share, from where it is: straight on to its beginning.
+double length_of_share(const Coverage& coverage, std::size_t share, geom::Point robot,
+                       BendingPlanner& planner, SeenPlaces& places) {
+  const std::size_t first = coverage.shares[share];
+  const bool is_last = share + 1 == coverage.shares.size();
+  const std::size_t end = is_last ? coverage.waypoints.size() : coverage.shares[share + 1];
+  EXPECT_GE(end, first + 2);
+  EXPECT_TRUE(coverage.corners[end - 1].empty());
+  double out = geom::distance(robot, coverage.waypoints[first]);
+  for (std::size_t i = first + 1; i < end; ++i) {
+    const auto way = planner.find(coverage.waypoints[i - 1], coverage.waypoints[i]);
+    EXPECT_TRUE(way) << i;
+    for (std::size_t k = 1; way && k < way->corners.size(); ++k) {
+      places.pass({way->corners[k - 1], way->corners[k]});
+      out += geom::distance(way->corners[k - 1], way->corners[k]);
+    }
+  }
+  return out;
+}
+
+TEST(Coverage, IsSharedByRobotsThatGoAboutAsFar) {
+  for (int round = 0; round < 12; ++round) {
+    const std::uint64_t seed = kCoverageSeed + 500 + static_cast<std::uint64_t>(round);
+    std::mt19937_64 random(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const double side = 250.0;
+    const Outline outline = any_outline(random, side, round % 4);
+    const Ground ground = any_discs(random, side, std::array{0.0, 0.05}[static_cast<std::size_t>(round) % 2]);
+    Outline robots;
+    for (int i = 0; i < 2 + round % 4; ++i) robots.push_back({-30.0, 10.0 * i});
+    const Coverage alone = coverage_route(outline, ground, 1.0, 10.0);
+    const Coverage out = coverage_route(outline, ground, 1.0, 10.0, robots);
+    ASSERT_EQ(out.end, CoverageEnd::kCovered);
+    ASSERT_EQ(out.shares.size(), robots.size());
+    BendingPlanner planner(ground, 1.0);
+    SeenPlaces places(outline, ground, 1.0, 10.0, side, 1.0);
+    double total = 0.0;
+    double longest = 0.0;
+    for (std::size_t share = 0; share < out.shares.size(); ++share) {
+      const double length = length_of_share(out, share, robots[share], planner, places);
+      total += length;
+      longest = std::max(longest, length);
+    }
+    EXPECT_GE(places.seen_share(), 0.99);
+    EXPECT_LE(longest, 1.15 * total / static_cast<double>(robots.size()));
+    EXPECT_LE(out.length, 1.1 * alone.length) << "of all together, without the ways there";
+    EXPECT_EQ(coverage_route(outline, ground, 1.0, 10.0, robots).waypoints, out.waypoints);
+  }
+}
+
+TEST(Coverage, HasFewerSharesThanRobotsWhereThereIsLittleToDo) {
+  const Outline robots(12, {-5.0, 5.0});
+  EXPECT_EQ(coverage_route(rectangle(3.0, 2.0), {}, 1.0, 10.0, robots).shares.size(), 1U);
+  const Coverage few = coverage_route(rectangle(60.0, 30.0), {}, 1.0, 10.0, robots);
+  EXPECT_GT(few.shares.size(), 1U);
+  EXPECT_LT(few.shares.size(), 5U);
+  EXPECT_TRUE(coverage_route({}, {}, 1.0, 10.0, robots).shares.empty());
 }
 
 TEST(Coverage, RefusesWhatCanNotBeComputed) {

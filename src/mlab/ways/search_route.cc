@@ -29,10 +29,14 @@ double metres_of(double cells, const SearchGrid& grid) {
 
 }  // namespace
 
-SearchRoute::SearchRoute(SearchGrid& grid, BendingPlanner& planner, std::span<const LanePiece> pieces,
+SearchRoute::SearchRoute(SearchGrid& grid, BendingPlanner& planner, std::span<const LaneShare> shares,
                          std::uint64_t most_effort)
     : grid_(grid), planner_(planner), most_effort_(most_effort) {
-  for (const LanePiece& piece : pieces) append(piece);
+  for (const LaneShare& share : shares) {
+    begin_share();
+    for (const LanePiece& piece : share) append(piece);
+  }
+  begin_share();
   for (int row = 0; stops_.empty() && row < grid.rows(); ++row) {
     for (int column = 0; stops_.empty() && column < grid.columns(); ++column) {
       if (!grid.can_be_seen(grid.index(column, row))) continue;
@@ -69,14 +73,31 @@ void SearchRoute::see_only_stop(int by) {
   if (stops_.size() == 1) grid_.see({stops_.front().at, stops_.front().at}, by);
 }
 
+/// Who would have one stop only belongs to the share before.
+void SearchRoute::begin_share() {
+  if (stops_.size() < 2) return;
+  const auto last = std::prev(stops_.end());
+  if (!is_first(last)) {
+    is_new_share_ = true;
+    return;
+  }
+  const geom::Point at = last->at;
+  stops_.erase(last);
+  is_new_share_ = false;
+  append(at);
+  is_new_share_ = true;
+}
+
 void SearchRoute::append(geom::Point at) {
-  if (!stops_.empty()) {
+  const bool begins = std::exchange(is_new_share_, false);
+  if (!stops_.empty() && !begins) {
     if (stops_.back().at == at) return;
     auto onward = leg(stops_.back().at, at);
     if (!onward) return;
     see(*onward, 1);
     see_only_stop(-1);
     stops_.back().onward = std::move(*onward);
+    stops_.back().is_last = false;
   }
   stops_.push_back({at, {}});
   see_only_stop(1);
@@ -151,12 +172,8 @@ void SearchRoute::has_changed(Place stop) {
 }
 
 bool SearchRoute::leave_out(Place stop, const Bargain& bargain) {
-  if (stops_.size() < 3) return false;
-  const auto next = std::next(stop);
-  if (stop == stops_.begin() || next == stops_.end()) {
-    Leg& end = stop == stops_.begin() ? stop->onward : std::prev(stop)->onward;
-    if (!exchange(std::array<const Leg*, 1>{&end}, {}, bargain)) return false;
-    end = {};
+  if (is_first(stop) || stop->is_last) {
+    if (!leave_end_out(stop, bargain)) return false;
   } else {
     Leg& before = std::prev(stop)->onward;
     const Leg* instead = shortcut(stop);
@@ -171,10 +188,23 @@ bool SearchRoute::leave_out(Place stop, const Bargain& bargain) {
   return true;
 }
 
+/// Whether the first or the last one of a share, which has two more, may go; where it may, its leg is gone.
+bool SearchRoute::leave_end_out(Place stop, const Bargain& bargain) {
+  const bool is_last = stop->is_last;
+  if (is_last && is_first(stop)) return false;
+  const auto beside = is_last ? std::prev(stop) : std::next(stop);
+  if (is_last ? is_first(beside) : beside->is_last) return false;
+  Leg& end = is_last ? beside->onward : stop->onward;
+  if (!exchange(std::array<const Leg*, 1>{&end}, {}, bargain)) return false;
+  end = {};
+  if (is_last) beside->is_last = true;
+  return true;
+}
+
 /// Moves a stop towards the straight way from the one before to the next.
 bool SearchRoute::draw_in(Place stop, const Bargain& bargain) {
+  if (is_first(stop) || stop->is_last) return false;
   const auto next = std::next(stop);
-  if (stop == stops_.begin() || next == stops_.end()) return false;
   const auto before = std::prev(stop);
   const geom::Point aim = nearest_point({before->at, next->at}, stop->at);
   if (distance(aim, stop->at) < kLeastDrawnIn * grid_.swath()) return false;
@@ -365,64 +395,76 @@ std::optional<SearchRoute::Detour> SearchRoute::best_detour(const Patch& cells) 
 
 /// The shortest one to a place.
 std::optional<SearchRoute::Detour> SearchRoute::detour(geom::Point at) {
-  std::vector<std::pair<double, Place>> places;  // what it costs at least
-  const auto offer = [&](double extra, Place before) {
-    if (places.size() == kPlacesTried && extra >= places.back().first) return;
-    if (places.size() == kPlacesTried) places.pop_back();
-    const auto after = std::ranges::upper_bound(places, extra, {}, [](const auto& one) { return one.first; });
-    places.insert(after, {extra, before});
+  std::vector<Slot> slots;
+  const auto offer = [&](const Slot& slot) {
+    if (slots.size() == kPlacesTried && slot.extra >= slots.back().extra) return;
+    if (slots.size() == kPlacesTried) slots.pop_back();
+    slots.insert(std::ranges::upper_bound(slots, slot.extra, {}, &Slot::extra), slot);
   };
   each_stop_near(at, [&](Place stop) {
     ++effort_;
     const double here = distance(at, stop->at);
-    if (stop == stops_.begin()) offer(here, stop);
+    if (is_first(stop)) offer({stop, false, true, here});
     const auto next = std::next(stop);
-    offer(here - stop->onward.length + (next == stops_.end() ? 0.0 : distance(at, next->at)), next);
+    if (stop->is_last)
+      offer({next, true, false, here});
+    else
+      offer({next, true, true, here - stop->onward.length + distance(at, next->at)});
   });
   std::optional<Detour> out;
-  for (const auto& [least, before] : places) {
-    if (out && least >= out->extra) break;
-    Detour one{at, before, {}, {}, 0.0, 0};
-    if (before != stops_.begin()) {
-      auto to = leg(std::prev(before)->at, at);
-      if (!to) continue;
-      one.to = std::move(*to);
-      one.extra -= std::prev(before)->onward.length;
-    }
-    if (before != stops_.end()) {
-      auto from = leg(at, before->at);
-      if (!from) continue;
-      one.from = std::move(*from);
-    }
-    one.extra += one.to.length + one.from.length;
-    if (!out || one.extra < out->extra) out = std::move(one);
+  for (const Slot& slot : slots) {
+    if (out && slot.extra >= out->extra) break;
+    auto one = detour(at, slot);
+    if (one && (!out || one->extra < out->extra)) out = std::move(one);
   }
   return out;
 }
 
+std::optional<SearchRoute::Detour> SearchRoute::detour(geom::Point at, const Slot& slot) {
+  Detour out{at, slot.before, {}, {}, 0.0, 0};
+  if (slot.has_leg_to) {
+    out.to = leg(std::prev(slot.before)->at, at);
+    if (!out.to) return std::nullopt;
+    out.extra += out.to->length - std::prev(slot.before)->onward.length;
+  }
+  if (slot.has_leg_from) {
+    out.from = leg(at, slot.before->at);
+    if (!out.from) return std::nullopt;
+    out.extra += out.from->length;
+  }
+  return out;
+}
+
+/// The legs that a detour has, and instead of which one.
+void SearchRoute::see(const Detour& detour, int by) {
+  if (detour.to) see(*detour.to, by);
+  if (detour.from) see(*detour.from, by);
+  if (detour.to && detour.from) see(std::prev(detour.before)->onward, -by);
+}
+
 void SearchRoute::count_gain(Detour& detour) {
-  const bool has_leg = detour.before != stops_.begin();
   const std::size_t unseen = grid_.unseen();
-  see(detour.to, 1);
-  see(detour.from, 1);
-  if (has_leg) see(std::prev(detour.before)->onward, -1);
+  see(detour, 1);
   detour.gain = grid_.unseen() < unseen ? unseen - grid_.unseen() : 0;
-  if (has_leg) see(std::prev(detour.before)->onward, 1);
-  see(detour.to, -1);
-  see(detour.from, -1);
+  see(detour, -1);
 }
 
 void SearchRoute::insert(Detour& detour) {
   see_only_stop(-1);
-  see(detour.to, 1);
-  see(detour.from, 1);
-  if (detour.before != stops_.begin()) {
-    see(std::prev(detour.before)->onward, -1);
-    std::prev(detour.before)->onward = std::move(detour.to);
+  see(detour, 1);
+  Stop added{detour.at, {}};
+  if (detour.to) {
+    const auto last = std::prev(detour.before);
+    last->onward = std::move(*detour.to);
+    last->is_last = false;
   }
-  const auto added = stops_.insert(detour.before, {detour.at, std::move(detour.from)});
-  file(added);
-  has_changed(added);
+  if (detour.from) {
+    added.onward = std::move(*detour.from);
+    added.is_last = false;
+  }
+  const auto place = stops_.insert(detour.before, std::move(added));
+  file(place);
+  has_changed(place);
 }
 
 double SearchRoute::length() const {
@@ -433,8 +475,11 @@ double SearchRoute::length() const {
 
 SearchRoute::Waypoints SearchRoute::waypoints() const {
   Waypoints out;
+  bool begins = true;
   for (const Stop& stop : stops_) {
-    while (out.stops.size() >= 2) {
+    if (begins) out.shares.push_back(out.stops.size());
+    begins = stop.is_last;
+    while (out.stops.size() >= out.shares.back() + 2) {
       const geom::Segment straight{out.stops[out.stops.size() - 2], stop.at};
       if (distance(nearest_point(straight, out.stops.back()), out.stops.back()) > 1e-6 ||
           !planner_.clearing().is_free(straight))

@@ -8,19 +8,20 @@
 #include <vector>
 
 #include "mlab/ways/bending_planner.h"
-#include "mlab/ways/lane_order.h"
+#include "mlab/ways/lane_shares.h"
 #include "mlab/ways/search_grid.h"
 
 /// For sources of this module only.
 namespace mlab::ways {
 
-/// A way from stop to stop, planned in between, while it is made to see more, or shortened. What it sees is
-/// counted in the grid.
+/// Ways from stop to stop, planned in between, one for each share, while they are made to see more, or
+/// shortened. What they see is counted in the grid. Each has two stops at least, but for an only one.
 class SearchRoute {
  public:
   /// @param grid, planner  outlive this
+  /// @param shares  one at least
   /// @param most_effort  after so much it is improved no more, and leads as it does then
-  SearchRoute(SearchGrid& grid, BendingPlanner& planner, std::span<const LanePiece> pieces,
+  SearchRoute(SearchGrid& grid, BendingPlanner& planner, std::span<const LaneShare> shares,
               std::uint64_t most_effort);
 
   /// Leaves stops out, as long as no more than `most_unseen` cells are unseen, where each metre saved costs
@@ -32,12 +33,13 @@ class SearchRoute {
   /// Stops, and what planned ways were looked for by, that were looked at so far.
   std::uint64_t effort() const { return effort_ + kStopsOfAnEffort * planner_.effort(); }
 
-  double length() const;
-  /// Stops without those that lie on the straight way from the one before to the next; and by stop the
-  /// corners of the way to the next one.
+  double length() const;  ///< of all ways together [m]
+  /// Stops without those that lie on the straight way from the one before to the next; by stop the corners of
+  /// the way to the next one, none after a share's last; and by share the number of its first stop.
   struct Waypoints {
     std::vector<geom::Point> stops;
     std::vector<std::vector<geom::Point>> corners;
+    std::vector<std::size_t> shares;
   };
   Waypoints waypoints() const;
 
@@ -51,7 +53,8 @@ class SearchRoute {
   };
   struct Stop {
     geom::Point at;
-    Leg onward;                        // to the next one; of the last one: empty
+    Leg onward;                        // to the next one; of a share's last one: empty
+    bool is_last = true;               // of its share
     std::optional<Leg> shortcut = {};  // from the one before to the next, once that was planned
     double refused = kNotYet;          // the highest price at which nothing could be saved here
 
@@ -65,11 +68,18 @@ class SearchRoute {
   };
   /// Unseen cells that hang together.
   using Patch = std::vector<std::size_t>;
-  /// A stop that may be added in front of another one, and the legs to it and on from it.
+  /// Where a stop may be added, between two others or at an end of a share, and what that costs at least.
+  struct Slot {
+    Place before;  // in front of that
+    bool has_leg_to;
+    bool has_leg_from;
+    double extra;  // [m]
+  };
+  /// A stop that may be added, and the legs to it and on from it.
   struct Detour {
     geom::Point at;
     Place before;
-    Leg to, from;
+    std::optional<Leg> to, from;
     double extra = 0.0;    // [m]
     std::size_t gain = 0;  // cells
 
@@ -84,13 +94,17 @@ class SearchRoute {
   }
   std::optional<Leg> leg(geom::Point a, geom::Point b);
   void see(const Leg& leg, int by);
+  void see(const Detour& detour, int by);
+  bool is_first(Place stop) const { return stop == stops_.begin() || std::prev(stop)->is_last; }
   void see_only_stop(int by);
+  void begin_share();
   void append(geom::Point at);
   void append(const LanePiece& piece);
   bool exchange(std::span<const Leg* const> old, std::span<const Leg* const> instead, const Bargain& bargain);
   const Leg* shortcut(Place stop);
   void has_changed(Place stop);
   bool leave_out(Place stop, const Bargain& bargain);
+  bool leave_end_out(Place stop, const Bargain& bargain);
   bool draw_in(Place stop, const Bargain& bargain);
   std::vector<Patch> unseen_patches(std::size_t left_out) const;
   Patch unseen_round(int column, int row, std::vector<std::uint8_t>& was_met) const;
@@ -98,6 +112,7 @@ class SearchRoute {
   std::vector<geom::Point> candidates(const Patch& cells) const;
   std::optional<Detour> best_detour(const Patch& cells);
   std::optional<Detour> detour(geom::Point at);
+  std::optional<Detour> detour(geom::Point at, const Slot& slot);
   void count_gain(Detour& detour);
   void insert(Detour& detour);
   geom::Point nearest(geom::Point p) const;
@@ -113,6 +128,7 @@ class SearchRoute {
   SearchGrid& grid_;
   BendingPlanner& planner_;
   std::list<Stop> stops_;
+  bool is_new_share_ = true;  // what is appended next begins one
   /// Stops by where they are, in square boxes; as they were when detours began to be added, and those added
   /// since.
   std::vector<std::vector<Place>> boxes_;
