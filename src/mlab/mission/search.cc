@@ -22,36 +22,50 @@ constexpr int kSidesOfACircle = 32;
 constexpr double kWorthTelling = 0.98;  // a smaller share of the area that is seen
 constexpr double kLeastMargin = 0.1;    // [m]
 constexpr double kNearEnough = 0.9;     // to see what lies round a thing [half of the swath]
+constexpr double kLongestDetour = 0.2;  // that a robot may make on either side [swaths]
 constexpr double kOffWay = 0.15;        // a robot may be so far beside its lane [m]
 
-// The way of a share, with its corners.
-std::vector<geom::Point> way_of(const ways::Coverage& found, std::size_t share) {
-  const std::size_t first = found.shares[share];
-  const std::size_t end = share + 1 < found.shares.size() ? found.shares[share + 1] : found.waypoints.size();
-  std::vector<geom::Point> out = {found.waypoints[first]};
-  for (std::size_t i = first + 1; i < end; ++i) {
-    out.insert(out.end(), found.corners[i - 1].begin(), found.corners[i - 1].end());
-    if (!(found.waypoints[i] == out.back())) out.push_back(found.waypoints[i]);
+// The way of a share: its waypoints, with the corners in between. Where it makes a detour one of these counts
+// as a waypoint, too, so that a robot does not go round on the other side, which sees something else.
+struct Way {
+  Way(const ways::Coverage& found, std::size_t share, double longest_detour) {
+    const std::size_t first = found.shares[share];
+    const bool is_last = share + 1 == found.shares.size();
+    const std::size_t end = is_last ? found.waypoints.size() : found.shares[share + 1];
+    points = {found.waypoints[first]};
+    is_waypoint = {true};
+    for (std::size_t i = first + 1; i < end; ++i) {
+      const auto& corners = found.corners[i - 1];
+      const std::size_t middle = points.size() + corners.size() / 2;
+      const double before = length;
+      for (const geom::Point corner : corners) add(corner, false);
+      add(found.waypoints[i], true);
+      const double detour = length - before - geom::distance(found.waypoints[i - 1], found.waypoints[i]);
+      if (!corners.empty() && detour > longest_detour) is_waypoint[middle] = true;
+    }
   }
-  return out;
-}
+  void add(geom::Point p, bool is_one) {
+    length += geom::distance(points.back(), p);
+    points.push_back(p);
+    is_waypoint.push_back(is_one);
+  }
 
-double length_of(std::span<const geom::Point> way) {
-  double out = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) out += geom::distance(way[i - 1], way[i]);
-  return out;
-}
+  std::vector<geom::Point> points;
+  std::vector<bool> is_waypoint;
+  double length = 0.0;
+};
 
-// Cut into pieces of equal length; where one ends and the next begins the point stands twice. Cut where the
-// way leads round something, too: a straight line from waypoint to waypoint may lead through it.
-std::vector<geom::Point> cut(std::span<const geom::Point> way, std::size_t pieces) {
-  const double piece = length_of(way) / static_cast<double>(pieces);
-  std::vector<geom::Point> out = {way.front()};
+// Its waypoints, cut into pieces of equal length; where one ends and the next begins the point stands twice.
+// Cut where the way leads round something, too: a straight line from waypoint to waypoint may lead through
+// it.
+std::vector<geom::Point> cut(const Way& way, std::size_t pieces) {
+  const double piece = way.length / static_cast<double>(pieces);
+  std::vector<geom::Point> out = {way.points.front()};
   double left = piece;
   std::size_t cuts = 1;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    geom::Point from = way[i - 1];
-    const geom::Point to = way[i];
+  for (std::size_t i = 1; i < way.points.size(); ++i) {
+    geom::Point from = way.points[i - 1];
+    const geom::Point to = way.points[i];
     for (double rest = geom::distance(from, to); cuts < pieces && rest > left;
          rest -= std::exchange(left, piece)) {
       from = from + (to - from) * (left / rest);
@@ -60,7 +74,7 @@ std::vector<geom::Point> cut(std::span<const geom::Point> way, std::size_t piece
       ++cuts;
     }
     left -= geom::distance(from, to);
-    if (!(to == out.back())) out.push_back(to);
+    if (way.is_waypoint[i] && !(to == out.back())) out.push_back(to);
   }
   return out;
 }
@@ -77,10 +91,11 @@ std::size_t pieces_of(const ways::Coverage& found, const UnitCommand& command, s
 std::vector<geom::Point> route_of(const ways::Coverage& found, const UnitCommand& command,
                                   std::size_t robots) {
   if (found.waypoints.empty()) return {};
-  if (found.shares.size() == 1) return cut(way_of(found, 0), pieces_of(found, command, robots));
+  const double longest_detour = kLongestDetour * command.swath;
+  if (found.shares.size() == 1) return cut(Way(found, 0, longest_detour), pieces_of(found, command, robots));
   std::vector<geom::Point> out;
   for (std::size_t share = 0; share < found.shares.size(); ++share) {
-    const auto pieces = cut(way_of(found, share), percept::kPiecesOfAShare);
+    const auto pieces = cut(Way(found, share, longest_detour), percept::kPiecesOfAShare);
     if (share > 0) {
       const std::size_t repeated = pieces.front() == out.back() ? 0 : 2;
       out.insert(out.end(), repeated, pieces.front());
