@@ -339,7 +339,8 @@ std::uint32_t ProgramBuilder::emit_sequence(const Op& op) {
   return static_cast<std::uint32_t>(program_->sequences_.size() - 1);
 }
 
-// Most selectors are truth values and choices of one byte, or small numbers: their case stands at the value's own place.
+// Most selectors are truth values and choices of one byte, or small numbers: their case stands at the value's
+// own place.
 void ProgramBuilder::list_choices(const Node& node, Program::SelectCode& code) {
   constexpr std::int64_t kMostDirect = 256;
   if (code.selector_size == 1) code.direct.resize(kMostDirect, code.otherwise);

@@ -58,8 +58,8 @@ struct KnownHeading {
   double heading = 0.0;
   Offset ahead{1.0, 0.0};
 };
-/// The place for a heading among those that this thread remembers. As many as the robots that it computes one after
-/// the other have, mostly.
+/// The place for a heading among those that this thread remembers. As many as the robots that it computes one
+/// after the other have, mostly.
 inline KnownHeading& remembered_heading(double heading) {
   constexpr int kBits = 7;
   thread_local std::array<KnownHeading, 1U << kBits> all;

@@ -274,8 +274,7 @@ void Simulator::Parts::sense(const Sensors::Scene& scene, const binding::Sensing
   const BodySpec& spec = state.kinds[bodies.kind[i]].spec;
   const percept::Needs& needs = *wanted.needs;
   percept::Percepts& out = *wanted.out;
-  out.pose =
-      counts_wheels(i) ? bodies.counted[i] : geom::Pose{bodies.position(i), bodies.heading[i]};
+  out.pose = counts_wheels(i) ? bodies.counted[i] : geom::Pose{bodies.position(i), bodies.heading[i]};
   // Whoever looks at what it senses turns it by that, mostly.
   geom::remember({bodies.heading[i], bodies.ahead[i]});
   out.map = state.site.map();
@@ -345,10 +344,10 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   p.times.move += watch.lap();
 
   const double until = p.state.time + dt;
-  p.contact.move(bodies,
-                 {*p.state.statics, p.grid, p.state.area, until, dt, p.roaming.move(*p.state.roamers, until),
-                  p.apart},
-                 p.workers);
+  p.contact.move(
+      bodies,
+      {*p.state.statics, p.grid, p.state.area, until, dt, p.roaming.move(*p.state.roamers, until), p.apart},
+      p.workers);
   p.times.contact += watch.lap();
 
   p.state.objects.follow(bodies);

@@ -67,9 +67,9 @@ struct Simulator::Parts {
     }
   }
   Sensors::Scene scene() {
-    return {state.bodies,  grid,        *state.statics,  state.objects,   state.kinds,
-            settings.seed, state.cycle, roaming.discs(), *state.silences, clear,
-            apart};
+    return {state.bodies,    grid,          *state.statics, state.objects,
+            state.kinds,     settings.seed, state.cycle,    roaming.discs(),
+            *state.silences, clear,         apart};
   }
   std::uint32_t kind_of(const BodySpec& spec);
   void sense(const Sensors::Scene& scene, const binding::Sensing& wanted, SenseBuffer& buffer);
