@@ -5,6 +5,7 @@
 #include <cstring>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -523,10 +524,9 @@ void Fleet::run_piece(std::size_t begin, std::size_t end, double dt, int index) 
   for (std::size_t i = 0; i < count; ++i) {
     const FleetRobot& robot = now_.robots[worker.robots[i]];
     if (robot.failsafes != 0) worker.needs[i].add(now_.failsafes->needs(robot.failsafes, robot.failsafe));
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    std::construct_at(&worker.percepts[i]);  // an assignment would copy what it makes
-    worker.senses[i] = {now_.robots[worker.robots[i]].body, &worker.needs[i], &worker.percepts[i]};
+    // An assignment would copy what it makes, std::construct_at write zeros before it.
+    ::new (static_cast<void*>(&worker.percepts[i])) percept::Percepts;
+    worker.senses[i] = {robot.body, &worker.needs[i], &worker.percepts[i]};
   }
   binding_.percepts({worker.senses.data(), count}, index);
   for (std::size_t i = 0; i < count; ++i) {

@@ -10,7 +10,8 @@ void Job::compute() {
   percepts.cycle_duration = cycle_duration;
   percept::Action action;
   const Cycle context{&percepts, &action, cycle, seed, robot};
-  Call call{&context, frame.data(), inputs.data(), output, state, is_first, is_first, path_hash};
+  // Who fired before did so in the cycle before, whenever that was.
+  Call call{{output, state, path_hash}, &context, frame.data(), inputs.data(), 2U, is_first ? 0U : 1U};
   behavior->fire(call);
 }
 

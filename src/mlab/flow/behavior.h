@@ -83,19 +83,27 @@ struct Behavior {
   void (*write_initial_output)(void* out) = nullptr;  ///< value of the output before it ever fired
 };
 
+/// What of a firing is the same in each cycle: where the node's output and state are in the frame.
+struct Firing {
+  std::uint32_t output = 0;
+  std::uint32_t state = 0;
+  std::uint64_t path_hash = 0;
+};
+
 /// One firing of one node. Made by the program; the code that the CNL compiler generates reads it.
-struct Call {
+struct Call : Firing {
   const Cycle* cycle = nullptr;
   std::byte* frame = nullptr;
   /// Offsets in the frame, in input order. A list input takes one word with the count n, then n offsets.
   const std::uint32_t* inputs = nullptr;
-  std::uint32_t output = 0;
-  std::uint32_t state = 0;
-  bool is_first = false;  ///< the node never fired before: `once` runs
-  bool is_restart =
-      false;  ///< it did not fire in the cycle before: the header runs (true as well where is_first)
-  std::uint64_t path_hash = 0;
+  // Of nodes that have no state, and no header, nobody knows when they fired.
+  std::uint32_t now = 0;    ///< the cycle
+  std::uint32_t fired = 0;  ///< the cycle in which the node fired last; 0: in none
 
+  /// The node never fired before: `once` runs.
+  bool is_first() const { return fired == 0; }
+  /// It did not fire in the cycle before: the header runs (true as well where is_first).
+  bool is_restart() const { return fired != now - 1 || is_first(); }
   template <class T>
   T& at(std::uint32_t offset) const {
     return *std::launder(reinterpret_cast<T*>(frame + offset));

@@ -12,7 +12,7 @@
 namespace mlab::flow {
 
 /// Changes with every change of the structs below that old libraries would misread.
-inline constexpr std::uint32_t kModuleAbi = 1;
+inline constexpr std::uint32_t kModuleAbi = 2;
 
 /// A fingerprint of what both sides have to agree on byte by byte: a library made from other headers has
 /// another one.

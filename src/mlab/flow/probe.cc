@@ -94,14 +94,12 @@ void BehaviorProbe::step() {
   }
   action = {};
   const Cycle context{&percepts, &action, cycle_, seed_, robot_};
-  Call call{&context,
+  Call call{{0, state_offset_, 0},
+            &context,
             frame.data(),
             words.data(),
-            0,
-            state_offset_,
-            last_fired_ == 0,
-            last_fired_ == 0 || last_fired_ + 1 != cycle_,
-            0};
+            static_cast<std::uint32_t>(cycle_),
+            static_cast<std::uint32_t>(last_fired_)};
   behavior_.fire(call);
   last_fired_ = cycle_;
   if (output_and_state_.size() > 0) {

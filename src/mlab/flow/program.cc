@@ -40,12 +40,14 @@ bool flag_at(const std::byte* frame, std::uint32_t offset) {
   return frame[offset] != std::byte{0};
 }
 
-/// As memcpy; most values are numbers and vectors, for which a call costs more than the copy.
-inline void copy_value(std::byte* to, const std::byte* from, std::uint32_t size) {
+/// As memcpy; most values are numbers, vectors and truth values, for which a call costs more than the copy.
+[[gnu::always_inline]] inline void copy_value(std::byte* to, const std::byte* from, std::uint32_t size) {
   if (size == sizeof(double))
     std::memcpy(to, from, sizeof(double));
   else if (size == sizeof(geom::Vector))
     std::memcpy(to, from, sizeof(geom::Vector));
+  else if (size == sizeof(bool))
+    *to = *from;
   else
     std::memcpy(to, from, size);
 }
@@ -66,9 +68,11 @@ std::int64_t integer_at(const std::byte* frame, std::uint32_t offset, std::uint3
 /// Of a select, in a robot's frame; null where there is none.
 [[gnu::always_inline]] inline const Program::CaseCode* case_of(const Program::SelectCode& select,
                                                                const std::byte* frame) {
-  const std::int64_t value = integer_at(frame, select.selector, select.selector_size);
   std::int32_t index = select.otherwise;
-  if (static_cast<std::uint64_t>(value) < select.direct.size()) {
+  const bool is_byte = select.selector_size == 1;
+  const std::int64_t value = is_byte ? at<std::uint8_t>(frame, select.selector)
+                                     : integer_at(frame, select.selector, select.selector_size);
+  if (is_byte || static_cast<std::uint64_t>(value) < select.direct.size()) [[likely]] {
     index = select.direct[static_cast<std::size_t>(value)];
   } else {
     for (const Program::SelectCode::Choice& choice : select.choices) {
@@ -121,7 +125,7 @@ void Program::step(std::byte* frame, const percept::Percepts& percepts, percept:
   Run cycle;
   cycle.call.cycle = &context;
   cycle.call.frame = frame;
-  cycle.now = now;
+  cycle.call.now = now;
   cycle.async = async;
   cycle.interventions = interventions;
   if (interventions == nullptr)
@@ -137,46 +141,49 @@ void Program::step(std::byte* frame, const percept::Percepts& percepts, percept:
 template <bool kIntervened>
 void Program::run(const Block& block, Run& cycle) const {
   Call& call = cycle.call;
-  const std::uint32_t now = cycle.now;
+  std::byte* const frame = call.frame;
+  const std::uint32_t now = call.now;
+  const std::uint32_t* const words = words_.data();
   const Instruction* const end = instructions_.data() + block.first + block.count;
   for (const Instruction* i = instructions_.data() + block.first; i != end; ++i) {
-    bool is_first = false;
-    bool is_restart = false;
     if (i->stamp != kNone) {
-      auto& stamp = at<std::uint32_t>(call.frame, i->stamp);
-      if (i->is_guarded && stamp == now) continue;
-      is_first = stamp == 0;
-      is_restart = stamp != now - 1 || is_first;
+      // Only what stands in several blocks may have fired in this cycle.
+      auto& stamp = at<std::uint32_t>(frame, i->stamp);
+      if (stamp == now) continue;
+      call.fired = stamp;
       stamp = now;
     }
     Interventions::Held* held = nullptr;
     if constexpr (kIntervened) {
       held = cycle.interventions->held_at(i->output);
-      if (held != nullptr) std::memcpy(call.frame + held->offset, held->computed.data(), held->size);
+      if (held != nullptr) std::memcpy(frame + held->offset, held->computed.data(), held->size);
     }
     if (i->kind == Instruction::Kind::kFire) [[likely]] {
-      call.inputs = words_.data() + i->inputs;
-      call.output = i->output;
-      call.state = i->state;
-      call.is_first = is_first;
-      call.is_restart = is_restart;
-      call.path_hash = i->path_hash;
+      call.inputs = words + i->inputs;
+      static_cast<Firing&>(call) = *i;
       i->fire(call);
     } else if (i->kind == Instruction::Kind::kSelect) {
-      run_select<kIntervened>(*i, cycle);
+      const SelectCode& select = selects_[i->data];
+      const CaseCode* const chosen = case_of(select, frame);
+      if (chosen != nullptr) {
+        if (chosen->member.count > 0) run<kIntervened>(chosen->member, cycle);
+        copy_value(frame + i->output, frame + chosen->value, select.value_size);
+      } else {
+        std::memset(frame + i->output, 0, select.value_size);
+      }
     } else if (i->kind == Instruction::Kind::kSequence) {
-      run_sequence<kIntervened>(*i, is_restart, cycle);
+      run_sequence<kIntervened>(*i, call.is_restart(), cycle);
     } else if (i->kind == Instruction::Kind::kDelay) {
       const DelayCode& delay = delays_[i->data];
-      copy_value(call.frame + i->output, call.frame + (is_restart ? delay.initial : delay.next),
+      copy_value(frame + i->output, frame + (call.is_restart() ? delay.initial : delay.next),
                  delay.value_size);
     } else {
-      run_async(*i, is_first, call, now, cycle.async);
+      run_async(*i, call.is_first(), call, now, cycle.async);
     }
     if constexpr (kIntervened) {
       if (held == nullptr) continue;
-      std::memcpy(held->computed.data(), call.frame + held->offset, held->size);
-      std::memcpy(call.frame + held->offset, held->value.data(), held->size);
+      std::memcpy(held->computed.data(), frame + held->offset, held->size);
+      std::memcpy(frame + held->offset, held->value.data(), held->size);
     }
   }
 }
@@ -206,19 +213,6 @@ void Program::run_sequence(const Instruction& instruction, bool starts_anew, Run
   const StateCode& state = sequence.states[active];
   run<kIntervened>(state.member, cycle);
   copy_value(frame + instruction.output, frame + state.value, sequence.value_size);
-}
-
-template <bool kIntervened>
-void Program::run_select(const Instruction& instruction, Run& cycle) const {
-  const SelectCode& select = selects_[instruction.data];
-  std::byte* const frame = cycle.call.frame;
-  const CaseCode* const chosen = case_of(select, frame);
-  if (chosen == nullptr) {
-    std::memset(frame + instruction.output, 0, select.value_size);
-    return;
-  }
-  if (chosen->member.count > 0) run<kIntervened>(chosen->member, cycle);
-  copy_value(frame + instruction.output, frame + chosen->value, select.value_size);
 }
 
 void Program::run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,
@@ -316,6 +310,14 @@ void Program::add_needs(const Block& block, const std::byte* frame, bool starts_
     const auto* const forced = interventions == nullptr ? nullptr : interventions->coming(index);
     if (forced != nullptr)
       add_needs(sequence.states[forced->state].member, frame, true, interventions, needs);
+  }
+}
+
+void Program::fetch(const std::byte* frame) const {
+  constexpr std::uint32_t kLines = 8;  // without a question whether there are more; nothing is read in vain
+  for (std::uint32_t at = 0; at < near_size_; at += kLines * Frame::kAlignment) {
+#pragma GCC unroll 8
+    for (std::uint32_t i = 0; i < kLines; ++i) __builtin_prefetch(frame + at + i * Frame::kAlignment, 1);
   }
 }
 

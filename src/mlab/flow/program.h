@@ -64,17 +64,14 @@ class Program {
   static constexpr std::uint32_t kNone = 0xffffffffU;
 
   /// One operation of the cycle. The order within a block is the order of execution.
-  struct Instruction {
+  struct Instruction : Firing {
     enum class Kind : std::uint8_t { kFire, kSequence, kSelect, kDelay, kStartAsync };
     Kind kind = Kind::kFire;
     bool is_guarded = false;      ///< stands in several blocks: fires once a cycle
     std::uint32_t stamp = kNone;  ///< offset of the cycle in which it fired last; kNone: nobody needs to know
     std::uint32_t inputs = 0;     ///< index into words
-    std::uint32_t output = 0;     ///< offset
-    std::uint32_t state = 0;      ///< offset
     std::uint32_t data = 0;       ///< index into sequences, selects, delays, asyncs
     FireFunction fire = nullptr;
-    std::uint64_t path_hash = 0;
   };
   /// Instructions that run together.
   struct Block {
@@ -118,13 +115,13 @@ class Program {
       std::uint32_t index = 0;  ///< of the case
     };
     std::uint32_t selector = 0;
-    TypeKind selector_kind = TypeKind::kInteger;
     std::uint32_t selector_size = 4;
     std::uint32_t value_size = 0;
+    std::int32_t otherwise = -1;  ///< -1: there is none
     std::vector<CaseCode> cases;
-    std::vector<std::int32_t> direct;  ///< index of the case, by the value; -1: none
-    std::vector<Choice> choices;       ///< of values that `direct` has no place for
-    std::int32_t otherwise = -1;       ///< -1: there is none
+    /// Index of the case, by the value; -1: none. All values of one byte have a place in it.
+    std::vector<std::int32_t> direct;
+    std::vector<Choice> choices;  ///< of values that `direct` has no place for
 
     /// The case of the selector's value; null where there is none.
     const CaseCode* chosen_in(const std::byte* frame) const;
@@ -209,6 +206,9 @@ class Program {
 
   /// What the next step may read, given the states in which the robot is, and those that it has to go to.
   percept::Needs needs(const std::byte* frame, const Interventions* interventions = nullptr) const;
+
+  /// Tells the processor that a step comes soon, which then need not wait for most of the frame.
+  void fetch(const std::byte* frame) const;
 
   /// The cycle that ran last; 0 before the first.
   static std::uint64_t cycle(const std::byte* frame);
@@ -314,7 +314,6 @@ class Program {
   /// What one cycle is run with.
   struct Run {
     Call call;
-    std::uint32_t now = 0;
     AsyncRunner* async = nullptr;
     Interventions* interventions = nullptr;  ///< not null where kIntervened
   };
@@ -323,8 +322,6 @@ class Program {
   void run(const Block& block, Run& cycle) const;
   template <bool kIntervened>
   void run_sequence(const Instruction& instruction, bool starts_anew, Run& cycle) const;
-  template <bool kIntervened>
-  void run_select(const Instruction& instruction, Run& cycle) const;
   void run_async(const Instruction& instruction, bool is_first, Call& call, std::uint32_t now,
                  AsyncRunner* async) const;
   void restart(const Block& block, std::byte* frame) const;
@@ -357,6 +354,7 @@ class Program {
   Frame initial_;
   std::vector<KeptCode> kept_;        ///< for `carry_over` only
   std::vector<std::uint32_t> large_;  ///< offsets of values that stand behind all others
+  std::uint32_t near_size_ = 0;       ///< of what stands before them in the frame
 };
 
 /// The same program with other values before the first cycle.

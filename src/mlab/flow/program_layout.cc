@@ -137,6 +137,7 @@ void ProgramBuilder::place_values() {
   }
   const std::vector<std::uint32_t> ops = order_of_cycle();
   for (const bool is_large : {false, true}) {
+    if (is_large) program_->near_size_ = frame_size_;
     const auto place = [&](std::uint32_t& offset, std::uint32_t size, std::uint32_t alignment) {
       constexpr std::uint32_t kLarge = 8 * Frame::kAlignment;
       if ((size >= kLarge) != is_large) return;
@@ -267,9 +268,7 @@ Program::Block ProgramBuilder::emit(const std::vector<std::uint32_t>& roots) {
 Instruction ProgramBuilder::emit_op(std::uint32_t i) {
   Instruction out;
   out.kind = ops_[i].kind;
-  out.output = ops_[i].output;
-  out.state = ops_[i].state;
-  out.path_hash = base::hash_text(ops_[i].path);
+  static_cast<Firing&>(out) = {ops_[i].output, ops_[i].state, base::hash_text(ops_[i].path)};
   if (ops_[i].behavior != nullptr) out.fire = ops_[i].behavior->fire;
   const bool is_new = ops_[i].data == kNone;
   switch (ops_[i].kind) {
@@ -340,9 +339,11 @@ std::uint32_t ProgramBuilder::emit_sequence(const Op& op) {
   return static_cast<std::uint32_t>(program_->sequences_.size() - 1);
 }
 
-// Most selectors are truth values, choices and small numbers: their case stands at the value's own place.
+// Most selectors are truth values and choices of one byte, or small numbers: their case stands at the value's
+// own place.
 void ProgramBuilder::list_choices(const Node& node, Program::SelectCode& code) {
   constexpr std::int64_t kMostDirect = 256;
+  if (code.selector_size == 1) code.direct.resize(kMostDirect, code.otherwise);
   for (std::size_t i = 0; i < node.cases.size(); ++i) {
     for (const std::int64_t value : node.cases[i].values) {
       if (value < 0 || value >= kMostDirect) {
@@ -359,7 +360,6 @@ void ProgramBuilder::list_choices(const Node& node, Program::SelectCode& code) {
 std::uint32_t ProgramBuilder::emit_select(const Op& op) {
   Program::SelectCode code;
   code.selector = offset_of(op.selector);
-  code.selector_kind = op.selector.type->kind;
   code.selector_size = op.selector.type->size;
   code.value_size = op.type->size;
   const std::vector<Ref>& members = op.cases;

@@ -53,21 +53,30 @@ inline double distance(Point a, Point b) {
   return length(a - b);
 }
 
+/// A heading [rad] whose cosine and sine are known.
+struct KnownHeading {
+  double heading = 0.0;
+  Offset ahead{1.0, 0.0};
+};
+/// The place for a heading among those that this thread remembers. As many as the robots that it computes one
+/// after the other have, mostly.
+inline KnownHeading& remembered_heading(double heading) {
+  constexpr int kBits = 7;
+  thread_local std::array<KnownHeading, 1U << kBits> all;
+  return all[(std::bit_cast<std::uint64_t>(heading) * 0x9e3779b97f4a7c15U) >> (64 - kBits)];
+}
 /// Of length 1 in the direction of a heading [rad]: its cosine and sine, which take longer to find than all
 /// that is done with them. Each thread remembers some, since most of what a robot computes in a cycle is
 /// turned by its own heading, or by that of its formation.
 inline Offset ahead_of(double heading) {
-  struct Known {
-    double heading = 0.0;
-    Offset ahead{1.0, 0.0};
-  };
-  constexpr int kBits = 4;
-  thread_local std::array<Known, 1U << kBits> all;
-  const auto bits = std::bit_cast<std::uint64_t>(heading);
-  Known& known = all[(bits * 0x9e3779b97f4a7c15U) >> (64 - kBits)];
-  if (bits != std::bit_cast<std::uint64_t>(known.heading))
+  KnownHeading& known = remembered_heading(heading);
+  if (std::bit_cast<std::uint64_t>(heading) != std::bit_cast<std::uint64_t>(known.heading))
     known = {heading, {std::cos(heading), std::sin(heading)}};
   return known.ahead;
+}
+/// What ahead_of a heading is, for who knows it already.
+inline void remember(const KnownHeading& known) {
+  remembered_heading(known.heading) = known;
 }
 
 /// Where a robot is and where it looks.

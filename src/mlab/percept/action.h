@@ -83,7 +83,14 @@ struct Action {
 
   /// Becomes an action that does nothing. Requests that do not count any more stay in their places, so that
   /// they are not written.
-  constexpr void clear() { become(Action{}); }
+  constexpr void clear() {
+    velocity = {};
+    spin = pan = 0.0;
+    drives = spins = looks = false;
+    status = {};
+    request_count = 0;
+    if (alert.front() != 0) alert = {};
+  }
   /// Becomes another one, by what counts of it.
   constexpr void become(const Action& other) {
     velocity = other.velocity;

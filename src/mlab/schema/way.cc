@@ -203,6 +203,17 @@ bool is_beyond(const ways::Bounds& area, geom::Point a, geom::Point b) {
   return at < way.length ? from + (way.corners[1] - from) * (at / way.length) : way.corners[1];
 }
 
+[[gnu::always_inline]] inline double nearest_along(const PlannedWay& way, geom::Point p, double from,
+                                                   double to) {
+  if (!is_straight(way)) return nearest_way(way.points(), p, from, to);
+  const geom::Offset away = p - way.corners[0];
+  const double projected = dot(away, way.corners[1] - way.corners[0]) / way.length;
+  if (!(std::abs(away.x) < kFar && std::abs(away.y) < kFar)) return nearest_way(way.points(), p, from, to);
+  if (!(0.0 <= to && way.length >= from)) return from;
+  const double low = std::max(0.0, from);
+  return std::clamp(projected, low, std::max(low, std::min(way.length, to)));
+}
+
 /// Whether nothing is in front of the goal: most often so, and all that plan_way looks at comes to the same
 /// then.
 bool is_straight_free(const ways::Clearing& wide, geom::Point from, geom::Point goal) {
@@ -393,7 +404,13 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     return std::ranges::any_of(ground.walls,
                                [&](const geom::Segment& wall) { return intersects({a, b}, wall); });
   };
-  const auto way_at = [&](double there) { return way_point(way, there); };
+  // Most of it is as point_along has it on a straight way, without a call.
+  const bool is_one_piece = is_straight(way);
+  const geom::Offset whole = points.back() - points.front();
+  const auto way_at = [&](double there) {
+    return is_one_piece && there > 0.0 && there < length ? points.front() + whole * (there / length)
+                                                         : way_point(way, there);
+  };
   const auto place_at = [&](double there) {
     const geom::Point middle = way_at(there);
     const geom::Offset along = unit(way_at(there + kHalf) - way_at(there - kHalf));
@@ -427,13 +444,7 @@ geom::Point point_on(const PlannedWay& way, double at) {
 }
 
 double nearest_on(const PlannedWay& way, geom::Point p, double from, double to) {
-  if (!is_straight(way)) return nearest_way(way.points(), p, from, to);
-  const geom::Offset away = p - way.corners[0];
-  const double projected = dot(away, way.corners[1] - way.corners[0]) / way.length;
-  if (!(std::abs(away.x) < kFar && std::abs(away.y) < kFar)) return nearest_way(way.points(), p, from, to);
-  if (!(0.0 <= to && way.length >= from)) return from;
-  const double low = std::max(0.0, from);
-  return std::clamp(projected, low, std::max(low, std::min(way.length, to)));
+  return nearest_along(way, p, from, to);
 }
 
 geom::Point way_point(const PlannedWay& way, double at) {
@@ -464,7 +475,7 @@ geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double
   const auto points = way.points();
   const double length = way_length(way);
   // So much nearer than the clearance one may come to what the way leads round.
-  const double cut = std::clamp(0.2 * way.clearance, 0.05, 0.5) + off;
+  const auto cut = [&] { return std::clamp(0.2 * way.clearance, 0.05, 0.5) + off; };
   for (double ahead = lookahead;; ahead *= 0.5) {
     const double there = std::min(at + ahead, length);
     const geom::Point carrot = point_on(way, there);
@@ -473,7 +484,7 @@ geom::Point carrot_on(const PlannedWay& way, geom::Point here, double at, double
     for (std::size_t i = 1; i < points.size() && corner < there && is_near; ++i) {
       corner += distance(points[i - 1], points[i]);
       is_near = corner <= at || corner >= there ||
-                distance(nearest_point({here, carrot}, points[i]), points[i]) <= cut;
+                distance(nearest_point({here, carrot}, points[i]), points[i]) <= cut();
     }
     if (is_near || ahead < 0.05) return carrot;
   }
@@ -483,7 +494,7 @@ double way_progress(const PlannedWay& way, geom::Point p, double from, double to
   const auto points = way.points();
   if (points.size() < 2) return 0.0;
   const double length = way_length(way);
-  const double at = nearest_on(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
+  const double at = nearest_along(way, p, std::clamp(from, 0.0, length), std::clamp(to, 0.0, length));
   if (at <= 0.0) return std::min(std::max(dot(p - points.front(), begin_direction(way)), from), 0.0);
   if (at >= length) {
     const double beyond = dot(p - points.back(), end_direction(way));

@@ -119,10 +119,11 @@ void ContactSolver::sort_by_speed(const Bodies& bodies) {
   double widest = 0.0;
   for (std::size_t i = 0; i < bodies.count(); ++i) widest = std::max(widest, bodies.radius[i]);
   slow_limit_ = 2.0 * widest + 0.5;
-  slow_way_ = 0.0;
+  slow_way_ = longest_way_ = 0.0;
   fast_.clear();
   for (std::uint32_t i = 0; i < bodies.count(); ++i) {
     way_[i] = length(motion_[i]);
+    longest_way_ = std::max(longest_way_, way_[i]);
     if (way_[i] > slow_limit_) {
       fast_.push_back({i, bodies.x[i], bodies.y[i]});
     } else {
@@ -183,19 +184,29 @@ bool ContactSolver::may_meet_standing(const Bodies& bodies, const Surroundings& 
   return false;
 }
 
+/// True where its eyes have told that all others are farther away than any that it looks for.
+bool ContactSolver::is_apart(const Bodies& bodies, const Surroundings& s, std::uint32_t body) const {
+  if (s.apart.empty() || s.apart[body].build != s.grid.builds()) return false;
+  const double widest =
+      way_[body] + bodies.radius[body] + kSkin + kTouch + s.grid.max_radius() + longest_way_;
+  constexpr double kRounding = 1e-6;  // more than any of this [m]
+  return s.apart[body].away > widest + kRounding;
+}
+
 /// True where a body may meet anything on its way, or the edge of the area. Fills its list of near bodies.
 bool ContactSolver::has_company(const Bodies& bodies, const Surroundings& s, std::uint32_t body) {
   const Point start = bodies.position(body);
   std::uint8_t& count = near_count_[body];
   count = 0;
-  search_near(bodies, s, body, start, [&](std::uint32_t other) {
+  const auto list = [&](std::uint32_t other) {
     if (count == kTooMany) return;
     if (count == kNear) {
       count = kTooMany;
     } else {
       near_[body].body[count++] = other;
     }
-  });
+  };
+  if (!is_apart(bodies, s, body)) search_near(bodies, s, body, start, list);
   const Point end = start + motion_[body];
   if (!is_inside(area_of(bodies, s, body), end)) return true;
   bool is_near = count > 0;

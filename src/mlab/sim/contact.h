@@ -46,6 +46,7 @@ class ContactSolver {
     double time;            ///< at the end of the cycle [s]
     double dt;              ///< [s]
     std::span<const Passing> roamers = {};
+    std::span<const Apart> apart = {};  ///< by body; empty: nobody has looked
   };
 
   /// Makes room for so many bodies.
@@ -87,6 +88,7 @@ class ContactSolver {
 
   void sort_by_speed(const Bodies& bodies);
   void collect_busy(Bodies& bodies, const Surroundings& s, Workers& workers);
+  bool is_apart(const Bodies& bodies, const Surroundings& s, std::uint32_t body) const;
   bool has_company(const Bodies& bodies, const Surroundings& s, std::uint32_t body);
   bool may_meet_standing(const Bodies& bodies, const Surroundings& s, std::uint32_t body);
   /// Calls visit(other) for all bodies that this one might meet in this cycle, by where all stood at its
@@ -124,6 +126,7 @@ class ContactSolver {
   std::vector<Fast> fast_;                                 ///< ascending
   double slow_limit_ = 0.0;                                ///< who goes farther is fast [m]
   double slow_way_ = 0.0;                                  ///< longest way of those that are not fast [m]
+  double longest_way_ = 0.0;                               ///< of all [m]
 };
 
 }  // namespace mlab::sim

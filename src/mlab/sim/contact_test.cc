@@ -400,5 +400,68 @@ TEST(Contact, IsForeseenByWhoFollowsAPassage) {
   EXPECT_GT(met, 500U) << "it is about those that meet something";
 }
 
+/// All see all others near them.
+void look_round(const Simulator& simulator, double range) {
+  SenseBuffer buffer;
+  percept::Percepts seen;
+  const auto count = static_cast<std::uint32_t>(simulator.body_count());
+  for (std::uint32_t i = 0; i < count; ++i)
+    simulator.sense(BodyIndex{i}, {{percept::Sensor::kRobots, range}}, buffer, seen);
+}
+
+TEST(Contact, BodiesMoveAsTheyWouldHadNobodyLookedRound) {
+  constexpr int kBodies = 60;
+  for (const double range : {0.5, 3.0, 30.0}) {
+    Simulator seeing{World{}};
+    Simulator blind{World{}};
+    base::Random random(11);
+    std::vector<Action> actions;
+    for (int i = 0; i < kBodies; ++i) {
+      const Point place{2.0 * (i % 8), 2.0 * (i / 8.0)};
+      add(seeing, place, 0.3);
+      add(blind, place, 0.3);
+      actions.push_back(driving(random.uniform(-3, 3), random.uniform(-3, 3)));
+    }
+    std::uint32_t contacts = 0;
+    for (int cycle = 0; cycle < 100; ++cycle) {
+      look_round(seeing, range);
+      seeing.step(actions, 0.1);
+      blind.step(actions, 0.1);
+      if (cycle % 20 == 0) {
+        for (Action& action : actions) action = driving(random.uniform(-3, 3), random.uniform(-3, 3));
+      }
+    }
+    for (std::uint32_t i = 0; i < kBodies; ++i) {
+      ASSERT_EQ(seeing.pose({i}), blind.pose({i})) << i << " with a range of " << range;
+      ASSERT_EQ(seeing.contacts({i}), blind.contacts({i}));
+      contacts += seeing.contacts({i});
+    }
+    EXPECT_GT(contacts, 20U);
+  }
+}
+
+TEST(Contact, WhoComesInTheWayAfterwardsIsMet) {
+  const std::vector<Action> actions = {driving(1, 0), Action{}};
+  // Put there, started there, or there all the time while one looked from elsewhere.
+  for (const int how : {0, 1, 2}) {
+    Simulator simulator{World{}};
+    const BodyIndex body = add(simulator, {0, 0});
+    if (how == 0) add(simulator, {50, 0});
+    if (how == 2) add(simulator, {0.45, 0});
+    look_round(simulator, 10.0);
+    if (how == 0) simulator.put_body({1}, {{0.45, 0}, 0.0}, {}, 0.0);
+    if (how == 1) add(simulator, {0.45, 0});
+    if (how == 2) {
+      SenseBuffer buffer;
+      percept::Percepts seen;
+      simulator.sense_at(body, {{-50, 0}, 0.0}, {{percept::Sensor::kRobots, 10.0}}, buffer, seen);
+      EXPECT_TRUE(seen.robots.empty());
+    }
+    simulator.step(actions, 0.1);
+    EXPECT_NEAR(simulator.pose(body).position.x, 0.05, 1e-4) << how;
+    EXPECT_LE(deepest(simulator), 1e-9) << how;
+  }
+}
+
 }  // namespace
 }  // namespace mlab::sim

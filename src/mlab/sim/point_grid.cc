@@ -60,25 +60,25 @@ double spread(std::span<double> coordinates) {
 }
 
 std::size_t PointGrid::sort(std::span<const Item> items) {
-  starts_.assign(cells_.size() + 1, 0);
+  // Where a place begins stands one place on until its items are there.
+  starts_.assign(cells_.size() + 2, 0);
   places_.resize(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
     places_[i] = cells_.place(items[i].x, items[i].y);
-    ++starts_[places_[i] + 1];
+    ++starts_[places_[i] + 2];
   }
   std::size_t used = 0;
   for (std::size_t place = 0; place < cells_.size(); ++place) {
-    used += starts_[place + 1] != 0 ? 1 : 0;
-    starts_[place + 1] += starts_[place];
+    used += starts_[place + 2] != 0 ? 1 : 0;
+    starts_[place + 2] += starts_[place + 1];
   }
   sorted_.resize(items.size());
-  for (std::size_t i = 0; i < items.size(); ++i) sorted_[starts_[places_[i]]++] = items[i];
-  for (std::size_t place = cells_.size(); place > 0; --place) starts_[place] = starts_[place - 1];
-  starts_[0] = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) sorted_[starts_[places_[i] + 1]++] = items[i];
   return used;
 }
 
 void PointGrid::build(std::span<const Item> items, double smallest_cell) {
+  ++builds_;
   max_radius_ = 0.0;
   for (const Item& item : items) max_radius_ = std::max(max_radius_, static_cast<double>(item.radius));
   has_cells_ = items.size() > kHandful;

@@ -182,18 +182,27 @@ class PointGrid {
   double max_radius() const { return max_radius_; }
   double cell() const { return cells_.cell(); }
   bool empty() const { return sorted_.empty(); }
+  /// How often it was built.
+  std::uint64_t builds() const { return builds_; }
 
  private:
   /// Sorts into cells of the present size. @return how many places of the table are in use
   std::size_t sort(std::span<const Item> items);
 
+  std::uint64_t builds_ = 0;
   bool has_cells_ = false;
   LatticeCells cells_;
   int halvings_ = 0;  ///< of the cells that would just cover everything, because too many items shared one
-  std::vector<std::uint32_t> starts_;  ///< by place: where its items begin in sorted_; one more for the end
+  std::vector<std::uint32_t> starts_;  ///< by place: where its items begin in sorted_; two more for the end
   std::vector<std::uint32_t> places_;  ///< by item, while sorting
   std::vector<Item> sorted_;
   double max_radius_ = 0.0;
+};
+
+/// How far from a body all others stand, as its eyes saw.
+struct Apart {
+  std::uint64_t build = 0;  ///< of the grid that was asked, as its `builds`; 0: nobody has looked
+  double away = 0.0;        ///< all others, at least [m]
 };
 
 /// How wide coordinates spread, a few that lie far outside left out: twice the distance between their

@@ -161,6 +161,10 @@ void Sensors::see(double distance, std::uint32_t id, Point center, double radius
 }
 
 void Sensors::sort_seen() {
+  if (buffer_.seen_.size() > 1) sort_all_seen();
+}
+
+[[gnu::noinline]] void Sensors::sort_all_seen() {
   std::ranges::sort(buffer_.seen_, [](const SenseBuffer::Detection& a, const SenseBuffer::Detection& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
   });
@@ -303,6 +307,11 @@ void Sensors::sense_robots(double range, percept::Percepts& out) {
   const Bodies& bodies = scene_.bodies;
   collect_robots(range);
   sort_seen();
+  // Who is hidden is not among them.
+  if (scene_.statics.walls().empty()) {
+    const double away = buffer_.seen_.empty() ? range : buffer_.seen_.front().distance;
+    scene_.apart[body_] = {scene_.grid.builds(), away};
+  }
   buffer_.robots_.clear();
   for (const auto& seen : buffer_.seen_) {
     buffer_.robots_.push_back(

@@ -35,6 +35,7 @@ class Sensors {
     std::span<const MovingDisc> roamers;
     std::span<const Outline> silences;
     std::span<ClearPlace> clear;  ///< by body, for whoever senses for it
+    std::span<Apart> apart;       ///< likewise
   };
   Sensors(const Scene& scene, std::uint32_t body, SenseBuffer& buffer);
 
@@ -59,6 +60,7 @@ class Sensors {
   void collect_robots(double range);
   void see(double distance, std::uint32_t id, geom::Point center, double radius);
   void sort_seen();
+  void sort_all_seen();
 
   const Scene& scene_;
   std::uint32_t body_;

@@ -74,9 +74,7 @@ void SimulatedBinding::health(std::vector<binding::Ailment>& out) {
 }
 
 void SimulatedBinding::percepts(std::span<const binding::Sensing> robots, int worker) {
-  auto& buffers = buffers_[static_cast<std::size_t>(worker)];
-  for (std::size_t i = 0; i < robots.size(); ++i)
-    simulator_.sense(robots[i].body, *robots[i].needs, buffers[i], *robots[i].out);
+  simulator_.sense(robots, buffers_[static_cast<std::size_t>(worker)]);
 }
 
 void SimulatedBinding::carry_out(std::span<const percept::Action> actions, double dt) {

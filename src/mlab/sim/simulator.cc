@@ -61,6 +61,7 @@ void Simulator::Parts::refresh() {
   grid.build(items, std::max({0.05, 2.0 * widest, PointGrid::cell_for(static_cast<double>(reach))}));
   state.objects.refresh();
   clear.resize(bodies.count());
+  apart.resize(bodies.count());
   is_stale.store(false, std::memory_order_release);
 }
 
@@ -256,29 +257,44 @@ void Simulator::put_body(BodyIndex body, const geom::Pose& pose, geom::Offset ve
 
 void Simulator::sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& buffer,
                       percept::Percepts& out) const {
+  const binding::Sensing one{body, &needs, &out};
+  sense({&one, 1}, {&buffer, 1});
+}
+
+void Simulator::sense(std::span<const binding::Sensing> bodies, std::span<SenseBuffer> buffers) const {
   parts_->refresh();
-  const State& state = parts_->state;
+  const Sensors::Scene scene = parts_->scene();
+  for (std::size_t i = 0; i < bodies.size(); ++i) parts_->sense(scene, bodies[i], buffers[i]);
+}
+
+void Simulator::Parts::sense(const Sensors::Scene& scene, const binding::Sensing& wanted,
+                             SenseBuffer& buffer) {
   const Bodies& bodies = state.bodies;
-  const std::uint32_t i = body.value;
-  out.pose = parts_->counts_wheels(i) ? bodies.counted[i] : pose(body);
+  const std::uint32_t i = wanted.body.value;
+  const BodySpec& spec = state.kinds[bodies.kind[i]].spec;
+  const percept::Needs& needs = *wanted.needs;
+  percept::Percepts& out = *wanted.out;
+  out.pose = counts_wheels(i) ? bodies.counted[i] : geom::Pose{bodies.position(i), bodies.heading[i]};
+  // Whoever looks at what it senses turns it by that, mostly.
+  geom::remember({bodies.heading[i], bodies.ahead[i]});
   out.map = state.site.map();
   out.time = state.time;
   Sensors::forget(out);
-  out.camera = {bodies.pan[i], spec(body).camera.field_of_view};
+  out.camera = {bodies.pan[i], spec.camera.field_of_view};
   const std::uint32_t carried = bodies.carried[i];
   out.carried = carried == 0 ? base::ObjectId{} : state.objects.list()[carried - 1].id;
   out.carried_class =
       carried == 0 ? percept::ObjectClass::kUnknown : state.objects.list()[carried - 1].object_class;
-  const Sensors::Scene scene = parts_->scene();
   Sensors sensors(scene, i, buffer);
   using percept::Sensor;
   const bool uses_ring =
-      needs.has(Sensor::kRanges) || (needs.has(Sensor::kObstacles) && spec(body).has_ring_obstacles);
-  const double ring = uses_ring ? spec(body).ring.range : 0.0;
-  parts_->note_reach(
+      needs.has(Sensor::kRanges) || (needs.has(Sensor::kObstacles) && spec.has_ring_obstacles);
+  const double ring = uses_ring ? spec.ring.range : 0.0;
+  note_reach(
       static_cast<float>(usable_range(std::max({needs[Sensor::kRobots], needs[Sensor::kObjects], ring}))));
-  for (const percept::SensorInfo& sensor : percept::kSensors) {
-    if (needs.has(sensor.sensor)) sensors.sense(sensor.sensor, usable_range(needs[sensor.sensor]), out);
+  for (std::size_t number = 0; number < percept::kSensors.size(); ++number) {
+    const auto sensor = static_cast<Sensor>(number);
+    if (needs.has(sensor)) sensors.sense(sensor, usable_range(needs[sensor]), out);
   }
 }
 
@@ -291,6 +307,7 @@ void Simulator::sense_at(BodyIndex body, const geom::Pose& pose, const percept::
   const geom::Offset ahead = bodies.ahead[i];
   bodies.put(i, pose, {std::cos(pose.heading), std::sin(pose.heading)});
   sense(body, needs, buffer, out);
+  parts_->apart[i] = {};
   bodies.put(i, stands, ahead);
   out.pose = pose;
 }
@@ -327,9 +344,10 @@ void Simulator::step(std::span<const percept::Action> actions, double dt) {
   p.times.move += watch.lap();
 
   const double until = p.state.time + dt;
-  p.contact.move(bodies,
-                 {*p.state.statics, p.grid, p.state.area, until, dt, p.roaming.move(*p.state.roamers, until)},
-                 p.workers);
+  p.contact.move(
+      bodies,
+      {*p.state.statics, p.grid, p.state.area, until, dt, p.roaming.move(*p.state.roamers, until), p.apart},
+      p.workers);
   p.times.contact += watch.lap();
 
   p.state.objects.follow(bodies);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mlab/binding/binding.h"
 #include "mlab/binding/radio.h"
 #include "mlab/binding/workers.h"
 #include "mlab/percept/action.h"
@@ -95,6 +96,8 @@ class Simulator {
   /// `buffer`. Threads may sense at the same time, each with buffers of its own. Sensing twice gives the
   /// same, noise included.
   void sense(BodyIndex body, const percept::Needs& needs, SenseBuffer& buffer, percept::Percepts& out) const;
+  /// The same for some bodies, each with a buffer of its own.
+  void sense(std::span<const binding::Sensing> bodies, std::span<SenseBuffer> buffers) const;
 
   /// What `sense` would give if the body stood elsewhere and knew its place exactly. Nothing has changed
   /// afterwards; meanwhile no other thread may use the simulator.

@@ -67,10 +67,12 @@ struct Simulator::Parts {
     }
   }
   Sensors::Scene scene() {
-    return {state.bodies,  grid,        *state.statics,  state.objects,   state.kinds,
-            settings.seed, state.cycle, roaming.discs(), *state.silences, clear};
+    return {state.bodies,    grid,          *state.statics, state.objects,
+            state.kinds,     settings.seed, state.cycle,    roaming.discs(),
+            *state.silences, clear,         apart};
   }
   std::uint32_t kind_of(const BodySpec& spec);
+  void sense(const Sensors::Scene& scene, const binding::Sensing& wanted, SenseBuffer& buffer);
   void want(const percept::Action& action, std::uint32_t body, double dt);
   bool counts_wheels(std::uint32_t body) const {
     return state.kinds[state.bodies.kind[body]].spec.odometry_noise > 0.0;
@@ -95,6 +97,7 @@ struct Simulator::Parts {
   std::atomic<bool> is_stale{true};
   std::mutex refreshing;
   std::vector<ClearPlace> clear;  ///< by body: where its eyes see nothing that stands
+  std::vector<Apart> apart;       ///< by body: how far others are, as its eyes saw
   Placer placer;
   bool is_placer_stale = true;
   ContactSolver contact;

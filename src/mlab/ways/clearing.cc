@@ -177,6 +177,7 @@ bool Clearing::blocks(std::uint32_t item, geom::Point p) const {
 
 bool Clearing::is_free(geom::Point p) const {
   if (!ground_.bounds.contains(p)) return false;
+  if (items_.empty()) return true;
   return std::ranges::none_of(items(cell_of(p)), [&](std::uint32_t item) { return blocks(item, p); });
 }
 

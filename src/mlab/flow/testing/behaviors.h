@@ -12,7 +12,7 @@ namespace mlab::flow::test {
 /// Counts how often it fired since its header ran; `start` is added.
 inline void fire_count(Call& call) {
   int& state = call.at<int>(call.state);
-  if (call.is_restart) state = 0;
+  if (call.is_restart()) state = 0;
   call.at<int>(call.output) = ++state + call.at<int>(call.inputs[0]);
 }
 inline const Behavior& count() {
@@ -53,7 +53,7 @@ inline const Behavior& add() {
 /// True from the `at`-th firing after a restart on.
 inline void fire_after(Call& call) {
   int& state = call.at<int>(call.state);
-  if (call.is_restart) state = 0;
+  if (call.is_restart()) state = 0;
   call.at<bool>(call.output) = ++state >= call.at<int>(call.inputs[0]);
 }
 inline const Behavior& after() {
@@ -133,7 +133,7 @@ inline const Behavior& show() {
 /// Takes three cycles: the square of its input. Keeps how often it ran in its state.
 inline void fire_square(Call& call) {
   int& runs = call.at<int>(call.state);
-  if (call.is_first) runs = 0;
+  if (call.is_first()) runs = 0;
   ++runs;
   const double x = call.at<double>(call.inputs[0]);
   call.at<double>(call.output) = x * x + 1000.0 * runs;

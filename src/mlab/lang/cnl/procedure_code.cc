@@ -203,10 +203,10 @@ class ProcedureCode {
     if (has_once_ || has_header_)
       out_.line("  mlab_State& mlab_state = mlab_call.at<mlab_State>(mlab_call.state);");
     if (has_once_)
-      out_.line(fmt::format("  if (mlab_call.is_first) mlab_state.once.put({});",
+      out_.line(fmt::format("  if (mlab_call.is_first()) mlab_state.once.put({});",
                             call_of("mlab_once_section", false)));
     if (has_header_) {
-      out_.line(fmt::format("  if (mlab_call.is_restart) mlab_state.body.put({});",
+      out_.line(fmt::format("  if (mlab_call.is_restart()) mlab_state.body.put({});",
                             call_of("mlab_header_section", has_once_)));
       out_.line(fmt::format("  {};", call_of("mlab_state.body.get()", has_once_)));
     } else {
