@@ -29,9 +29,9 @@ struct FleetRobot;
 ///   want it anew, the one with the least cost gets it, and of equals the one with the lowest id.
 /// - Tasks are announced to a team, bid for and awarded: see `Contracts`.
 ///
-/// Where radios reach only so far, notifications, places and passages come to those who are linked with their teller in
-/// that cycle, also over others, unless they are lost on the way; a robot keeps the places that it heard
-/// last. Claims and tasks are settled by all of a team, wherever they are.
+/// Where radios reach only so far, notifications, places and passages come to those who are linked with their
+/// teller in that cycle, also over others, unless they are lost on the way; a robot keeps the places that it
+/// heard last. Claims and tasks are settled by all of a team, wherever they are.
 class Messages {
  public:
   /// Resolves the requests in the robots' actions of this cycle.
@@ -98,7 +98,7 @@ class Messages {
   std::vector<Told> told_;
   std::vector<Broadcast> broadcasts_;
   std::vector<std::uint32_t> nets_;  // of robots, by place
-  bool is_limited_ = false;          // not everybody hears everybody: each robot knows places and passages of its own
+  bool is_limited_ = false;  // not everybody hears everybody: each robot knows places and passages of its own
   std::vector<Wish> wishes_;
   std::vector<percept::SharedPlace> places_;
   std::vector<percept::AskedPassage> passages_;

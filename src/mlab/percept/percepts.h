@@ -66,9 +66,9 @@ struct ObjectReading {
 /// That a robot asked to be let through.
 struct AskedPassage {
   base::RobotId from;
-  geom::Point to{};     ///< where it wants to go, straight on [m, world]
-  double cost = 0.0;    ///< of those who meet, the one with the least goes first
-  double time = 0.0;    ///< when it asked [s]
+  geom::Point to{};   ///< where it wants to go, straight on [m, world]
+  double cost = 0.0;  ///< of those who meet, the one with the least goes first
+  double time = 0.0;  ///< when it asked [s]
 };
 
 /// A place that another robot told, and what is there.

@@ -183,8 +183,8 @@ std::optional<text::Diagnostic> told_of_repeated(const Definition& d) {
     if (!repeated) continue;
     std::string values;
     for (const Dimension* const one : some)
-      values += fmt::format("{}`{}` the value `{}`", values.empty() ? "" : " with ",
-                            text::shown(one->name.text), text::shown(one->values[*repeated].text));
+      values += fmt::format("{}`{}={}`", values.empty() ? "" : " with ", text::shown(one->name.text),
+                            text::shown(one->values[*repeated].text));
     text::Diagnostic out;
     out.kind = "repeated-value";
     out.message =

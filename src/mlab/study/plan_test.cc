@@ -52,8 +52,7 @@ TEST(Plan, HasNoCombinationTwice) {
   // What is paired may come again, with something else beside it.
   EXPECT_EQ(problem({{"set", "a=1,1,2"}, {"set", "b=x,y,x"}, {"combine", "paired"}}), "none");
   EXPECT_EQ(problem({{"set", "a=1,2,1.0"}, {"set", "b=x,y,x"}, {"combine", "paired"}}),
-            "`a` the value `1.0` with `b` the value `x` is given twice: expected each once, as the same runs "
-            "would be done again");
+            "`a=1.0` with `b=x` is given twice: expected each once, as the same runs would be done again");
 }
 
 TEST(Plan, BeginsAllRunsOfASeedBeforeTheNext) {

@@ -288,8 +288,8 @@ percept::Needs needs_of(const wire::Needs& message) {
 
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, touch,
-               map, carried, carried_class, order, unit, joystick, notifications, shared_places, asked_passages, claims,
-               contracts, ground, radio] = percepts;
+               map, carried, carried_class, order, unit, joystick, notifications, shared_places,
+               asked_passages, claims, contracts, ground, radio] = percepts;
   out.Clear();
   out.set_id(id.value);
   encode(pose, *out.mutable_pose());
