@@ -1,6 +1,7 @@
 // How the command ends where nobody takes what it prints, and where somebody wants it to end.
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -109,18 +110,25 @@ TEST_F(Ending, TheReportIsWrittenWhereNobodyReadsWhatIsPrinted) {
   EXPECT_EQ(outcome("r.json"), "done");
 }
 
-/// A run of a mission that takes hours, as a process of its own.
+/// A command that takes long, as a process of its own: at first a run of a mission that takes hours.
 class LongRun {
  public:
-  LongRun(const fs::path& folder, int output) {
+  LongRun(const fs::path& folder, int output,
+          std::vector<std::string> words = {"run", "--headless", "long.mdl", "--speed", "1", "--report",
+                                            "r.json"}) {
+    words.insert(words.begin(), MLAB_COMMAND);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
     process_ = ::fork();
     if (process_ != 0) return;
     ::dup2(output, STDOUT_FILENO);
     const int nothing = ::open("/dev/null", O_RDWR);
     ::dup2(nothing, STDIN_FILENO);
     if (::chdir(folder.c_str()) != 0) ::_exit(98);
-    ::execl(MLAB_COMMAND, MLAB_COMMAND, "run", "--headless", "long.mdl", "--speed", "1", "--report", "r.json",
-            nullptr);
+    const int errors = ::open("err.txt", O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::dup2(errors, STDERR_FILENO);
+    ::execv(MLAB_COMMAND, arguments.data());
     ::_exit(99);
   }
   void signal(int number) const { ::kill(process_, number); }
@@ -225,6 +233,67 @@ TEST_P(Interrupted, ARunEndsWhileRobotsWithCodeOfTheirOwnAreAwaited) {
   const auto asked = Clock::now();
   run.signal(GetParam());
   expect_end(run, asked);
+}
+
+// What looks at a recorded run says how far it came, and what there is of what was asked for.
+TEST_P(Interrupted, ALookAtARecordingSaysHowFarItCame) {
+  std::ofstream many(folder_ / "many.mdl");
+  many << "OVERLAY map.odl\nUNIT <u>";
+  for (int i = 0; i < 40; ++i) many << " ROBOT";
+  many << "\nCOMMAND LIST:\n0. UNIT u START Here\n1. UNIT u MOVETO There\n";
+  many.close();
+  ASSERT_EQ(shell(std::string("'") + MLAB_COMMAND +
+                  "' run --headless many.mdl --limit 800 --quiet --record run.mcap > out.txt"),
+            1);
+  struct Case {
+    std::vector<std::string> words;
+    std::vector<std::string> said;
+  };
+  const int nobody = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  for (const auto& [words, said] :
+       {Case{{"replay", "--headless", "run.mcap", "--report", "r.json", "--record", "again.mcap"},
+             {"mlab replay: interrupted after ", " of 800.0 s; ", "the report r.json is not written",
+              "the recording again.mcap ends there"}},
+        Case{{"trace", "run.mcap", "--robot", "1", "--ports", "*"},
+             {"mlab trace: interrupted after ", " of 800.0 s; "}},
+        Case{{"trace", "run.mcap", "--robot", "99", "--ports", "*"},
+             {"mlab trace: interrupted while looking for robots that come later; no row is written"}},
+        Case{{"compare", "run.mcap", "run.mcap", "--quiet", "--html", "c.html"},
+             {"mlab compare: interrupted after ", " % of the two runs; ", "also in c.html"}}}) {
+    const LongRun run(folder_, nobody, words);
+    run.wait_until_it_listens();
+    run.signal(GetParam());
+    EXPECT_EQ(run.wait(), 1) << words.front();
+    for (const std::string& part : said)
+      EXPECT_NE(text_of("err.txt").find(part), std::string::npos) << part << ": " << text_of("err.txt");
+  }
+  ::close(nobody);
+  EXPECT_FALSE(fs::exists(folder_ / "r.json"));
+  EXPECT_EQ(shell(std::string("'") + MLAB_COMMAND + "' replay --headless again.mcap > out.txt"), 0)
+      << "what was recorded up to there is a run";
+}
+
+// A pipe without a reader is waited for; who wants an end does not wait with it.
+TEST_P(Interrupted, ABatchEndsWhoseTableNobodyReads) {
+  ASSERT_EQ(::mkfifo((folder_ / "t.csv").c_str(), 0600), 0);
+  const int nobody = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const LongRun run(folder_, nobody, {"batch", "short.mdl", "--runs", "2", "--table", "t.csv", "--quiet"});
+  run.wait_until_it_listens();
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // the runs are done by then
+  const auto asked = Clock::now();
+  run.signal(GetParam());
+  EXPECT_EQ(run.wait(), 1);
+  EXPECT_LT(Clock::now() - asked, std::chrono::seconds(10));
+  EXPECT_NE(text_of("err.txt").find("the table t.csv could not be written: nobody reads it"),
+            std::string::npos)
+      << text_of("err.txt");
+  // What was done is not lost.
+  EXPECT_EQ(shell("cat t.csv > got.csv & '" MLAB_COMMAND
+                  "' batch short.mdl --runs 2 --table t.csv --quiet --resume > out.txt; wait"),
+            0)
+      << text_of("err.txt");
+  EXPECT_NE(text_of("got.csv"), "");
+  ::close(nobody);
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM));

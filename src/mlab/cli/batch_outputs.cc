@@ -36,7 +36,7 @@ std::string recordings_of(const study::Definition& definition) {
 }
 
 bool deliver_file(const char* what, const std::string& file, const std::string& text) {
-  if (write_file(file, text)) {
+  if (write_file(file, text, was_interrupted)) {
     fmt::print("{}: {}\n", what, file);
     return true;
   }

@@ -1,19 +1,24 @@
 #include "mlab/cli/places.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
 
+#include "mlab/cli/clock.h"
 #include "mlab/cli/version.h"
 
 namespace mlab::cli {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr double kGrace = 1.0;  // for a reader who takes nothing, once somebody wants an end [s]
 
 std::string prefix_of_host;  // empty: this is a program of ours
 
@@ -24,6 +29,49 @@ std::string runner_of_host() {
     if (!prefix_of_host.empty() && ::access(path.c_str(), X_OK) == 0) return path;
   }
   return "";
+}
+
+/// Waits for who reads a pipe.
+class Patience {
+ public:
+  explicit Patience(const std::function<bool()>& gives_up) : gives_up_(gives_up) {}
+  /// A little while. False, and ETIMEDOUT: nobody waits any longer.
+  bool wait() {
+    ::usleep(20'000);
+    if (!gives_up_()) return true;
+    if (given_up_ < 0.0) given_up_ = steady_seconds();
+    errno = ETIMEDOUT;
+    return steady_seconds() - given_up_ < kGrace;
+  }
+
+ private:
+  const std::function<bool()>& gives_up_;
+  double given_up_ = -1.0;
+};
+
+// Nothing here waits within the system, where a signal would not end it.
+bool write_whole(int file, const std::string& text, Patience& patience) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t n = ::write(file, text.data() + done, text.size() - done);
+    if (n > 0) done += static_cast<std::size_t>(n);
+    if (n > 0 || (n < 0 && errno == EINTR)) continue;
+    if (n == 0 || errno != EAGAIN || !patience.wait()) return false;
+  }
+  return true;
+}
+
+bool write_stream(const std::string& path, const std::string& text, const std::function<bool()>& gives_up) {
+  Patience patience(gives_up);
+  int file = -1;
+  while ((file = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) < 0) {
+    // A pipe that nobody reads.
+    if ((errno != ENXIO && errno != EINTR) || !fs::is_fifo(path) || !patience.wait()) return false;
+  }
+  const bool is_written = write_whole(file, text, patience);
+  const int why = errno;
+  const bool is_closed = ::close(file) == 0;
+  if (!is_written) errno = why;
+  return is_written && is_closed;
 }
 
 }  // namespace
@@ -76,13 +124,11 @@ bool is_writable(const std::string& path) {
   return ::access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
 }
 
-bool write_file(const std::string& path, const std::string& text) {
+bool write_file(const std::string& path, const std::string& text, const std::function<bool()>& gives_up) {
   std::error_code error;
   errno = 0;
-  if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {  // /dev/stdout, a pipe
-    std::ofstream file(path, std::ios::binary);
-    return static_cast<bool>(file.write(text.data(), static_cast<std::streamsize>(text.size())).flush());
-  }
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error))  // /dev/stdout, a pipe
+    return write_stream(path, text, gives_up);
   const fs::path target = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
   const fs::path fresh = target.string() + ".new";
   {
@@ -101,6 +147,7 @@ bool write_file(const std::string& path, const std::string& text) {
 }
 
 std::string why_not_written() {
+  if (errno == ETIMEDOUT) return ": nobody reads it";
   return errno == 0 ? std::string() : ": " + std::generic_category().message(errno);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,11 @@ std::string state_folder();
 /// True where the file exists and may be written, or could be made.
 bool is_writable(const std::string& path);
 /// Writes the whole file, or leaves what was there: the text goes to a new file beside it, which then takes
-/// its name.
-bool write_file(const std::string& path, const std::string& text);
+/// its name. What is no file, as a pipe, is written as it is; whoever reads it is waited for.
+/// @param gives_up  once it is true, who reads a pipe is waited for a second longer, no more
+bool write_file(
+    const std::string& path, const std::string& text,
+    const std::function<bool()>& gives_up = [] { return false; });
 /// `: No space left on device`, right after it could not; empty where the system gave no reason.
 std::string why_not_written();
 

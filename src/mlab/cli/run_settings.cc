@@ -16,6 +16,7 @@
 #include "mlab/cli/fleet_stop.h"
 #include "mlab/cli/fleet_vehicles.h"
 #include "mlab/cli/fleet_words.h"
+#include "mlab/cli/interrupt.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
 #include "mlab/robot/program/configuration_file.h"
@@ -208,7 +209,7 @@ int usage_error(const std::string& message) {
 }
 
 bool deliver(const char* what, const std::string& file, const std::string& text) {
-  if (!write_file(file, text)) {
+  if (!write_file(file, text, was_interrupted)) {
     fmt::print(stderr, "mlab run: the {} {} could not be written{}\n", what, file, why_not_written());
     return false;
   }

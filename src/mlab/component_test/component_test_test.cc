@@ -223,6 +223,7 @@ test "x" of Noise() {
   given camera(pan = 10 deg, field_of_view = 90 deg);
   given beam(angle = 0 deg, distance = 2 m, hit = false);
   given shared_place(Mine, at = [1 m, 2 m], from = 3, object = 1);
+  given asked_passage(to = [1 m, 2 m], from = 3, cost = 6);
   given claim(object = 3, robot = 2);
   given door(from = [0 m, 0 m], to = [1 m, 0 m], marked = true);
   given hallway(from = [0 m, 0 m], to = [9 m, 0 m], width = 2 m);

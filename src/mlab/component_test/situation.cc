@@ -135,6 +135,9 @@ void Situation::forget(TestPercept what) {
     case TestPercept::kSharedPlace:
       shared_places_.clear();
       break;
+    case TestPercept::kAskedPassage:
+      asked_passages_.clear();
+      break;
     case TestPercept::kClaim:
       claims_.clear();
       break;
@@ -256,6 +259,9 @@ void Situation::take(const LoweredStep& step) {
     case TestPercept::kSharedPlace:
       shared_places_.push_back({{id("from")}, {id("object")}, class_in(step), point("at"), percepts_.time});
       break;
+    case TestPercept::kAskedPassage:
+      asked_passages_.push_back({{id("from")}, point("to"), number(step, "cost"), percepts_.time});
+      break;
     case TestPercept::kClaim:
       claims_.push_back({{id("object")}, {id("robot")}});
       break;
@@ -326,6 +332,8 @@ void Situation::sense() {
   percepts_.notifications = messages_;
   sort_by(shared_places_, [](const auto& one) { return one.from.value; });
   percepts_.shared_places = shared_places_;
+  sort_by(asked_passages_, [](const auto& one) { return one.from.value; });
+  percepts_.asked_passages = asked_passages_;
   sort_by(claims_, [](const auto& one) { return one.object.value; });
   percepts_.claims = claims_;
   heard_.clear();

@@ -67,6 +67,7 @@ class Situation {
   std::vector<geom::Point> route_;
   std::vector<std::uint64_t> messages_;
   std::vector<percept::SharedPlace> shared_places_;
+  std::vector<percept::AskedPassage> asked_passages_;
   std::vector<percept::Claim> claims_;
   std::vector<Contact> contacts_;
   std::vector<percept::Door> doors_;

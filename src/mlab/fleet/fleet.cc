@@ -501,9 +501,7 @@ void Fleet::add_told(const FleetRobot& robot, const percept::Needs& needs, doubl
   out.joystick = robot.joystick;
   out.id = robot.id;
   out.notifications = robot.notifications;
-  out.shared_places = now_.messages.places(robot);
-  out.claims = now_.messages.claims(robot.team);
-  out.contracts = now_.messages.contracts(robot.team);
+  now_.messages.add_told(robot, out);
   if (needs.has(percept::Sensor::kGround)) out.ground = ground_of(robot).view();
 }
 

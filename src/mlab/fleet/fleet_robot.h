@@ -62,8 +62,9 @@ struct FleetRobot {
   bool is_stick_held = false;                ///< and somebody has the stick in his hand, wherever that points
   std::vector<std::uint64_t> notifications;  ///< its inbox, ascending
   std::vector<percept::SharedPlace>
-      places;              ///< that it has heard of, by who told it, where radios don't reach all
-  std::uint32_t team = 0;  ///< robots of the same number are one team
+      places;  ///< that it has heard of, by who told it, where radios don't reach all
+  std::vector<percept::AskedPassage> passages;  ///< likewise
+  std::uint32_t team = 0;                       ///< robots of the same number are one team
   geom::Pose start;
   std::uint16_t failsafes = 0;  ///< rows of the mission's table that are its own, a bit for each
   FailsafeState failsafe;

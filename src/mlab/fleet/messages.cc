@@ -10,6 +10,7 @@
 namespace mlab::fleet {
 namespace {
 
+using percept::AskedPassage;
 using percept::Audience;
 using percept::Claim;
 using percept::Request;
@@ -28,20 +29,33 @@ void take(std::vector<std::uint64_t>& inbox, std::uint64_t notification) {
 // Of a robot that hears more tellers the oldest is forgotten.
 constexpr std::size_t kMostHeard = 256;
 
-void put(std::vector<SharedPlace>& places, const SharedPlace& place) {
-  const auto at = std::ranges::lower_bound(places, place.from, {}, &SharedPlace::from);
-  if (at != places.end() && at->from == place.from)
-    *at = place;
+// In the place of what the same robot told before.
+template <class Told>
+void keep(std::vector<Told>& all, const Told& told) {
+  const auto at = std::ranges::lower_bound(all, told.from, {}, &Told::from);
+  if (at != all.end() && at->from == told.from)
+    *at = told;
   else
-    places.insert(at, place);
+    all.insert(at, told);
+}
+
+template <class Told>
+void hear(std::vector<Told>& all, const Told& told) {
+  keep(all, told);
+  if (all.size() > kMostHeard) all.erase(std::ranges::min_element(all, {}, &Told::time));
 }
 
 SharedPlace place_in(const Request& request, base::RobotId from, double time) {
   return {from, request.object, request.object_class, request.place, time};
 }
 
+AskedPassage passage_in(const Request& request, base::RobotId from, double time) {
+  return {from, request.place, request.cost, time};
+}
+
 bool is_told(const Request& request) {
-  if (request.kind == Request::Kind::kSharePlace) return std::isfinite(request.place.x + request.place.y);
+  if (request.kind == Request::Kind::kSharePlace || request.kind == Request::Kind::kAskPassage)
+    return std::isfinite(request.place.x + request.place.y);
   return request.kind == Request::Kind::kNotify && request.audience != Audience::kSelf;
 }
 
@@ -49,6 +63,17 @@ bool is_told(const Request& request) {
 
 std::span<const SharedPlace> Messages::places(const FleetRobot& robot) const {
   return is_limited_ ? robot.places : places_;
+}
+
+std::span<const AskedPassage> Messages::passages(const FleetRobot& robot) const {
+  return is_limited_ ? robot.passages : passages_;
+}
+
+void Messages::add_told(const FleetRobot& robot, percept::Percepts& out) const {
+  out.shared_places = places(robot);
+  out.asked_passages = passages(robot);
+  out.claims = claims(robot.team);
+  out.contracts = contracts(robot.team);
 }
 
 std::span<const Claim> Messages::claims(std::uint32_t team) const {
@@ -81,7 +106,10 @@ void Messages::resolve(std::vector<FleetRobot>& robots, double time,
 // What was known stays known.
 void Messages::limit(std::vector<FleetRobot>& robots, bool is_limited) {
   if (is_limited && !is_limited_) {
-    for (FleetRobot& robot : robots) robot.places = places_;
+    for (FleetRobot& robot : robots) {
+      robot.places = places_;
+      robot.passages = passages_;
+    }
   }
   is_limited_ = is_limited;
 }
@@ -111,7 +139,9 @@ void Messages::tell(std::vector<FleetRobot>& robots, double time) {
   to_teams_.clear();
   for (const auto& [teller, request] : told_) {
     if (request.kind == Request::Kind::kSharePlace)
-      put(places_, place_in(request, robots[teller].id, time));
+      keep(places_, place_in(request, robots[teller].id, time));
+    else if (request.kind == Request::Kind::kAskPassage)
+      keep(passages_, passage_in(request, robots[teller].id, time));
     else if (request.audience == Audience::kAll)
       to_all_.push_back(request.notification);
     else
@@ -129,25 +159,29 @@ void Messages::tell(std::vector<FleetRobot>& robots, double time, const binding:
   for (const auto& [from, request] : told_) {
     const FleetRobot& teller = robots[from];
     if (teller.body == binding::kNoBody) continue;
-    const bool is_place = request.kind == Request::Kind::kSharePlace;
+    const bool is_news = request.kind == Request::Kind::kNotify;
+    const bool is_passage = request.kind == Request::Kind::kAskPassage;
     const bool is_to_all = request.audience == Audience::kAll;
     const SharedPlace place = place_in(request, teller.id, time);
-    if (is_place) put(places_, place);
-    if (!is_place && !radio.loses(teller.body)) {
+    const AskedPassage passage = passage_in(request, teller.id, time);
+    if (is_passage)
+      keep(passages_, passage);
+    else if (!is_news)
+      keep(places_, place);
+    if (is_news && !radio.loses(teller.body)) {
       broadcasts_.push_back({nets_[from], is_to_all, is_to_all ? 0 : teller.team, request.notification});
       continue;
     }
     for (std::size_t i = 0; i < robots.size(); ++i) {
       FleetRobot& robot = robots[i];
-      if (nets_[i] != nets_[from] || (!is_place && !is_to_all && robot.team != teller.team)) continue;
+      if (nets_[i] != nets_[from] || (is_news && !is_to_all && robot.team != teller.team)) continue;
       if (i != from && !(robot.body != binding::kNoBody && radio.arrives(teller.body, robot.body))) continue;
-      if (!is_place) {
+      if (is_news)
         put(robot.notifications, request.notification);
-        continue;
-      }
-      put(robot.places, place);
-      if (robot.places.size() > kMostHeard)
-        robot.places.erase(std::ranges::min_element(robot.places, {}, &SharedPlace::time));
+      else if (is_passage)
+        hear(robot.passages, passage);
+      else
+        hear(robot.places, place);
     }
   }
   std::ranges::sort(broadcasts_);

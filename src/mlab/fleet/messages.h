@@ -23,14 +23,15 @@ struct FleetRobot;
 /// them see the same in the next one, however many threads ran them.
 ///
 /// - A notification waits in the inbox of each robot that it reached until that robot takes it.
-/// - A robot's last shared place is seen by everybody until it shares another one.
+/// - A robot's last shared place is seen by everybody until it shares another one; so is the passage that it
+///   asked for last.
 /// - A claim holds for one cycle and has to be asked for in every one. Who held it keeps it; of those that
 ///   want it anew, the one with the least cost gets it, and of equals the one with the lowest id.
 /// - Tasks are announced to a team, bid for and awarded: see `Contracts`.
 ///
-/// Where radios reach only so far, notifications and places come to those who are linked with their teller in
-/// that cycle, also over others, unless they are lost on the way; a robot keeps the places that it heard
-/// last. Claims and tasks are settled by all of a team, wherever they are.
+/// Where radios reach only so far, notifications, places and passages come to those who are linked with their
+/// teller in that cycle, also over others, unless they are lost on the way; a robot keeps the places that it
+/// heard last. Claims and tasks are settled by all of a team, wherever they are.
 class Messages {
  public:
   /// Resolves the requests in the robots' actions of this cycle.
@@ -43,6 +44,10 @@ class Messages {
 
   /// That a robot has heard of, by the robot that told it, ascending.
   std::span<const percept::SharedPlace> places(const FleetRobot& robot) const;
+  /// Likewise.
+  std::span<const percept::AskedPassage> passages(const FleetRobot& robot) const;
+  /// All that it has been told by others.
+  void add_told(const FleetRobot& robot, percept::Percepts& out) const;
   /// Of that team, by object, ascending.
   std::span<const percept::Claim> claims(std::uint32_t team) const;
 
@@ -51,7 +56,7 @@ class Messages {
 
   /// That they take up beside this.
   std::size_t bytes() const {
-    return places_.size() * sizeof places_[0] +
+    return places_.size() * sizeof places_[0] + passages_.size() * sizeof passages_[0] +
            claims_.size() * (sizeof claims_[0] + sizeof claim_teams_[0]) + contracts_.bytes();
   }
 
@@ -93,9 +98,10 @@ class Messages {
   std::vector<Told> told_;
   std::vector<Broadcast> broadcasts_;
   std::vector<std::uint32_t> nets_;  // of robots, by place
-  bool is_limited_ = false;          // not everybody hears everybody: each robot knows places of its own
+  bool is_limited_ = false;  // not everybody hears everybody: each robot knows places and passages of its own
   std::vector<Wish> wishes_;
   std::vector<percept::SharedPlace> places_;
+  std::vector<percept::AskedPassage> passages_;
   std::vector<percept::Claim> claims_;      // by team, then object
   std::vector<std::uint32_t> claim_teams_;  // of claims_
   Contracts contracts_;

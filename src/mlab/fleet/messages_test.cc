@@ -118,6 +118,38 @@ TEST(Messages, KeepTheLastPlaceOfEveryRobot) {
   EXPECT_EQ(t.messages.places(t.robots[0])[1].time, 2.0);
 }
 
+Request asked_passage(geom::Point to, double cost) {
+  Request out;
+  out.kind = Request::Kind::kAskPassage;
+  out.place = to;
+  out.cost = cost;
+  return out;
+}
+
+TEST(Messages, WhoAsksForPassageLosesNoPlaceThatItTold) {
+  TestMessages t;
+  Request place;
+  place.kind = Request::Kind::kSharePlace;
+  place.object = {9};
+  place.place = {5, 6};
+  t.ask(1, place).ask(3, asked_passage({3, 4}, 7.0)).ask(1, asked_passage({1, 2}, 3.0)).resolve(1.0);
+  t.ask(1, asked_passage({7, 8}, 2.0)).resolve(2.0);
+  t.ask(1, asked_passage({std::numeric_limits<double>::infinity(), 8}, 2.0)).resolve(3.0);
+  ASSERT_EQ(t.messages.places(t.robots[1]).size(), 1U);
+  EXPECT_EQ(t.messages.places(t.robots[1])[0].place, (geom::Point{5, 6}));
+  EXPECT_EQ(t.messages.places(t.robots[1])[0].object.value, 9U);
+  percept::Percepts percepts;
+  t.messages.add_told(t.robots[1], percepts);
+  EXPECT_EQ(percepts.shared_places.size(), 1U);
+  const auto passages = percepts.asked_passages;
+  ASSERT_EQ(passages.size(), 2U);
+  EXPECT_EQ(passages[0].from.value, 1U);
+  EXPECT_EQ(passages[0].to, (geom::Point{7, 8})) << "the last that is a place";
+  EXPECT_EQ(passages[0].cost, 2.0);
+  EXPECT_EQ(passages[0].time, 2.0);
+  EXPECT_EQ(passages[1].from.value, 3U);
+}
+
 TEST(Messages, DropPlacesThatAreNoNumbers) {
   TestMessages t;
   Request place;
@@ -246,6 +278,17 @@ TEST(Radio, PlacesAreKnownAsTheyWereHeardLast) {
   EXPECT_EQ(t.places_of(2), (std::vector<geom::Point>{{5, 6}}));
   EXPECT_EQ(t.places_of(1), (std::vector<geom::Point>{{7, 8}}));
   EXPECT_TRUE(t.places_of(3).empty());
+}
+
+TEST(Radio, PassagesAreHeardByWhoIsLinkedBesidePlaces) {
+  TestRadio t;
+  t.ask(1, at_place({5, 6})).ask(1, asked_passage({7, 8}, 2.0)).hear(1.0);
+  EXPECT_EQ(t.places_of(2), (std::vector<geom::Point>{{5, 6}}));
+  ASSERT_EQ(t.messages.passages(t.robots[1]).size(), 1U);
+  EXPECT_EQ(t.messages.passages(t.robots[1])[0].to, (geom::Point{7, 8}));
+  EXPECT_TRUE(t.messages.passages(t.robots[2]).empty());
+  t.ask(4, asked_passage({1, 2}, 3.0)).resolve(2.0);
+  EXPECT_EQ(t.messages.passages(t.robots[2]).size(), 2U) << "once all hear all, they know all";
 }
 
 TEST(Radio, WhatWasKnownBeforeRadiosHadARangeStaysKnown) {

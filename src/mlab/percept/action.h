@@ -39,6 +39,7 @@ struct Request {
     kStartTask,         ///< notification, object: this robot begins with what it was awarded
     kFinishTask,        ///< the same: it is done
     kRenegeTask,        ///< the same: it gives it back
+    kAskPassage,        ///< place, cost: told to all others, in place of what this robot asked for before
   };
   Kind kind = Kind::kPickUp;
   Audience audience = Audience::kAll;
@@ -55,7 +56,7 @@ struct Request {
 };
 
 /// The last one, for who checks numbers from outside.
-inline constexpr Request::Kind kLastRequest = Request::Kind::kRenegeTask;
+inline constexpr Request::Kind kLastRequest = Request::Kind::kAskPassage;
 
 /// How far a robot is with its order.
 struct OrderStatus {

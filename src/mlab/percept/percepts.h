@@ -63,6 +63,14 @@ struct ObjectReading {
   double radius = 0.0;  ///< [m]
 };
 
+/// That a robot asked to be let through.
+struct AskedPassage {
+  base::RobotId from;
+  geom::Point to{};   ///< where it wants to go, straight on [m, world]
+  double cost = 0.0;  ///< of those who meet, the one with the least goes first
+  double time = 0.0;  ///< when it asked [s]
+};
+
 /// A place that another robot told, and what is there.
 struct SharedPlace {
   base::RobotId from;
@@ -218,6 +226,9 @@ struct Percepts {
   std::span<const std::uint64_t> notifications;
   /// What every robot told last, by its id, ascending; this one's own may be among them.
   std::span<const SharedPlace> shared_places;
+  /// What every robot asked for last of those in its way, by its id, ascending; this one's own may be among
+  /// them.
+  std::span<const AskedPassage> asked_passages;
   /// The claims that hold in this robot's team, by object, ascending. At most one for each object.
   std::span<const Claim> claims;
   /// The tasks that this robot's team contracts for, by task, then object, ascending.

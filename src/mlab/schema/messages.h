@@ -4,7 +4,6 @@
 
 #include "mlab/percept/percepts.h"
 #include "mlab/schema/objects.h"
-#include "mlab/schema/turns.h"
 
 namespace mlab::schema {
 
@@ -15,13 +14,12 @@ inline base::RobotId claimant(const percept::Percepts& percepts, base::ObjectId 
 }
 
 /// What another robot told last of things of these classes, at most `max_age` ago [s]; of several told in the
-/// same cycle that of the robot with the lowest id. Null where nobody told anything. Where somebody wants to
-/// be let through is no such place.
+/// same cycle that of the robot with the lowest id. Null where nobody told anything.
 inline const percept::SharedPlace* newest_place(const percept::Percepts& percepts,
                                                 flow::ObjectClasses classes, double max_age) {
   const percept::SharedPlace* newest = nullptr;
   for (const percept::SharedPlace& shared : percepts.shared_places) {
-    if (shared.from == percepts.id || !contains(classes, shared.object_class) || wish_in(shared)) continue;
+    if (shared.from == percepts.id || !contains(classes, shared.object_class)) continue;
     if (percepts.time - shared.time > max_age) continue;
     if (newest == nullptr || shared.time > newest->time) newest = &shared;
   }

@@ -56,6 +56,16 @@ constexpr percept::Request share_place(geom::Point place) {
   return out;
 }
 
+/// The request to those in the way to a place [m, world] to let this robot through.
+/// @param cost  of those who meet, the one with the least goes first
+constexpr percept::Request ask_passage(geom::Point place, double cost) {
+  percept::Request out;
+  out.kind = percept::Request::Kind::kAskPassage;
+  out.place = place;
+  out.cost = cost;
+  return out;
+}
+
 /// The request to have an object for oneself in the next cycle.
 /// @param cost  of several robots that claim it anew, the one with the least gets it
 constexpr percept::Request claim(base::ObjectId object, double cost) {

@@ -25,25 +25,22 @@ constexpr double kThere = 0.1;       // [m]
 constexpr double kSameWay = 0.5;     // cosine of the angle
 constexpr double kLooksAgain = 1.5;  // [s]
 constexpr double kBeside = 2.0;      // who has made way waits so near to whom he made it for [m]
-constexpr std::uint32_t kTag = 0xD7U << 24;
-constexpr std::uint32_t kTagMask = 0xFFU << 24;
+constexpr double kCodes = 1U << 24;  // of priorities
 
 }  // namespace
 
 percept::Request tell_wish(const PassageWish& wish) {
-  percept::Request out = share_place(wish.to);
-  out.object = {kTag | wish.priority.code()};
-  return out;
+  return ask_passage(wish.to, wish.priority.code());
 }
 
-std::optional<PassageWish> wish_in(const percept::SharedPlace& shared) {
-  if ((shared.object.value & kTagMask) != kTag) return std::nullopt;
-  return PassageWish{shared.place, Priority::of_code(shared.object.value & ~kTagMask)};
+std::optional<PassageWish> wish_in(const percept::AskedPassage& asked) {
+  if (!(asked.cost >= 0.0 && asked.cost < kCodes)) return std::nullopt;
+  return PassageWish{asked.to, Priority::of_code(static_cast<std::uint32_t>(asked.cost))};
 }
 
 std::optional<PassageWish> wish_of(const Percepts& percepts, base::RobotId robot) {
-  const auto& told = percepts.shared_places;
-  const auto at = std::ranges::lower_bound(told, robot, {}, &percept::SharedPlace::from);
+  const auto& told = percepts.asked_passages;
+  const auto at = std::ranges::lower_bound(told, robot, {}, &percept::AskedPassage::from);
   if (at == told.end() || at->from != robot || percepts.time - at->time > kHolds) return std::nullopt;
   return wish_in(*at);
 }
@@ -102,7 +99,7 @@ Turn TurnTaker::take(const Percepts& percepts, const RobotList& robots, Offset w
   if (since_ > time || !wants || (is_elsewhere && dot(went, wanted) > 0.0)) since_ = time;
   if (since_ == time || is_elsewhere) at_ = percepts.pose.position;
   const bool is_free = time >= gives_until_ && time >= asks_until_ && time - since_ <= kStandsFor;
-  if (robots.empty() || (is_free && percepts.shared_places.empty())) return {wanted, false};
+  if (robots.empty() || (is_free && percepts.asked_passages.empty())) return {wanted, false};
   Situation now{percepts, robots, wanted, unit(wanted), radius, gap, speed, wants, {}};
   if (wants) now.priority = Priority(percepts.id);
   if (wants && time < cornered_until_) now.priority = std::min(now.priority, cornered_);
@@ -115,7 +112,7 @@ Turn TurnTaker::take(const Percepts& percepts, const RobotList& robots, Offset w
 
 TurnTaker::Wishes TurnTaker::hear(const Situation& now) const {
   Wishes out;
-  if (now.percepts.shared_places.empty()) return out;
+  if (now.percepts.asked_passages.empty()) return out;
   for (const percept::RobotReading& robot : now.robots) {
     if (length(robot.center) > kHears) break;
     const auto wish = wish_of(now.percepts, robot.id);

@@ -23,7 +23,7 @@ class Priority {
   explicit Priority(base::RobotId robot) : value_(2 * robot.value + 1) {}
   /// Of who can't make way for one that has this.
   Priority of_cornered() const { return of_code(value_ & ~1U); }
-  /// As a number below 2^24.
+  /// As a number below 2^24, which is less for who goes first.
   static Priority of_code(std::uint32_t code) {
     Priority out;
     out.value_ = code;
@@ -47,10 +47,10 @@ struct PassageWish {
   geom::Point to;  ///< [m, world]
   Priority priority;
 };
-/// As a place that is told: robots of other units hear it, too.
+/// Robots of other units hear it, too.
 percept::Request tell_wish(const PassageWish& wish);
-/// Nothing: it speaks of something else.
-std::optional<PassageWish> wish_in(const percept::SharedPlace& shared);
+/// Nothing: such a priority there is not.
+std::optional<PassageWish> wish_in(const percept::AskedPassage& asked);
 /// What that robot told within the last seconds.
 std::optional<PassageWish> wish_of(const percept::Percepts& percepts, base::RobotId robot);
 /// Whether who tells it waits there for another one, and wants nothing for itself.

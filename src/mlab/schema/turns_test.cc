@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "mlab/schema/messages.h"
 #include "mlab/schema/requests.h"
 
 namespace mlab::schema {
@@ -40,7 +40,7 @@ class Turns : public testing::Test {
   }
 
   void cycle() {
-    std::vector<percept::SharedPlace> told = told_;
+    std::vector<percept::AskedPassage> told = told_;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       percept::Percepts percepts;
       percepts.id = id_of(i);
@@ -49,7 +49,7 @@ class Turns : public testing::Test {
       percepts.ground.walls = walls_;
       percepts.ground.revision = walls_.empty() ? 0 : revision_;
       percepts.ground.bounds = {-100, -100, 100, 100};
-      percepts.shared_places = told_;
+      percepts.asked_passages = told_;
       const auto seen = readings(i);
       percepts.robots = seen;
       flow::Robots all;
@@ -81,16 +81,17 @@ class Turns : public testing::Test {
     return out;
   }
 
-  void hear(std::vector<percept::SharedPlace>& told, base::RobotId from,
+  void hear(std::vector<percept::AskedPassage>& told, base::RobotId from,
             const percept::Request& request) const {
-    std::erase_if(told, [&](const percept::SharedPlace& one) { return one.from == from; });
-    told.push_back({from, request.object, request.object_class, request.place, time_});
-    std::ranges::sort(told, {}, &percept::SharedPlace::from);
+    EXPECT_EQ(request.kind, percept::Request::Kind::kAskPassage) << "nothing that it told is lost by it";
+    std::erase_if(told, [&](const percept::AskedPassage& one) { return one.from == from; });
+    told.push_back({from, request.place, request.cost, time_});
+    std::ranges::sort(told, {}, &percept::AskedPassage::from);
   }
 
   /// What that robot has told.
   std::optional<PassageWish> wish(std::size_t i) const {
-    for (const percept::SharedPlace& one : told_) {
+    for (const percept::AskedPassage& one : told_) {
       if (one.from == id_of(i)) return wish_in(one);
     }
     return std::nullopt;
@@ -99,7 +100,7 @@ class Turns : public testing::Test {
   std::vector<Robot> robots_;
   std::vector<geom::Segment> walls_;
   const std::uint64_t revision_ = next_revision();  // of them
-  std::vector<percept::SharedPlace> told_;
+  std::vector<percept::AskedPassage> told_;
   double time_ = 10.0;
 };
 
@@ -118,27 +119,20 @@ TEST(Priority, TheLowerNumberGoesFirstAndWhoItCornersBeforeIt) {
 TEST(PassageWish, ComesOutAsItWasTold) {
   for (const Priority priority : {Priority({12}), Priority({12}).of_cornered()}) {
     const percept::Request told = tell_wish({{3.0, 4.0}, priority});
-    const auto wish = wish_in({{5}, told.object, told.object_class, told.place, 0.0});
+    const auto wish = wish_in({{5}, told.place, told.cost, 0.0});
     ASSERT_TRUE(wish);
     EXPECT_EQ(wish->to, (Point{3.0, 4.0}));
     EXPECT_EQ(wish->priority, priority);
   }
-  EXPECT_FALSE(wish_in({{5}, {17}, {}, {}, 0.0})) << "a thing";
-}
-
-TEST(PassageWish, IsNoPlaceOfAThing) {
-  const percept::Request told = tell_wish({{3.0, 4.0}, Priority({12})});
-  const std::vector<percept::SharedPlace> places{{{5}, told.object, told.object_class, told.place, 0.0}};
-  percept::Percepts percepts;
-  percepts.shared_places = places;
-  EXPECT_EQ(newest_place(percepts, {.bits = ~0U}, 1e9), nullptr);
+  for (const double cost : {-1.0, 16777216.0, 1e300, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_FALSE(wish_in({{5}, {}, cost, 0.0})) << cost;
 }
 
 TEST(PassageWish, IsHeardOfWhoIsNearAndNotLong) {
   const percept::Request told = tell_wish({{3.0, 0.0}, Priority({12})});
-  const std::vector<percept::SharedPlace> places{{{5}, told.object, told.object_class, told.place, 10.0}};
+  const std::vector<percept::AskedPassage> passages{{{5}, told.place, told.cost, 10.0}};
   percept::Percepts percepts;
-  percepts.shared_places = places;
+  percepts.asked_passages = passages;
   percepts.time = 11.0;
   flow::Robots first;
   first.add(0);

@@ -63,6 +63,7 @@ void Objects::carry_out(const percept::Action& action, Bodies& bodies, std::uint
       case Request::Kind::kProceed:
       case Request::Kind::kTakeNotification:
       case Request::Kind::kSharePlace:
+      case Request::Kind::kAskPassage:
       case Request::Kind::kClaim:
       case Request::Kind::kAnnounceTask:
       case Request::Kind::kBid:

@@ -4,9 +4,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <span>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -164,6 +168,36 @@ std::optional<text::Diagnostic> take(Definition& d, std::string_view field, cons
   return expected(value, fmt::format("no field `{}`", field));
 }
 
+namespace {
+
+// Of several that are paired what they have together, else what each has.
+std::optional<text::Diagnostic> told_of_repeated(const Definition& d) {
+  std::vector<const Dimension*> lists;
+  for (const Dimension& one : d.dimensions) {
+    if (!one.is_drawn()) lists.push_back(&one);
+  }
+  const std::size_t together = d.is_paired ? std::max<std::size_t>(lists.size(), 1) : 1;
+  for (std::size_t i = 0; i < lists.size(); i += together) {
+    const std::span<const Dimension* const> some(&lists[i], together);
+    const auto repeated = repeated_values(some);
+    if (!repeated) continue;
+    std::string values;
+    for (const Dimension* const one : some)
+      values += fmt::format("{}`{}={}`", values.empty() ? "" : " with ", text::shown(one->name.text),
+                            text::shown(one->values[*repeated].text));
+    text::Diagnostic out;
+    out.kind = "repeated-value";
+    out.message =
+        fmt::format("{} is given twice: expected each once, as the same runs would be done again", values);
+    out.place = some.front()->values[*repeated].place;
+    out.hints.emplace_back("`runs` says how many runs there are of each");
+    return out;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<text::Diagnostic> settle(Definition& d) {
   if (d.confidence == 0.0)
     d.confidence = !d.requirements.empty() ? d.requirements.front().confidence
@@ -201,6 +235,7 @@ std::optional<text::Diagnostic> settle(Definition& d) {
           fmt::format("lists are paired, and `{}` has {} values, `{}` {}", text::shown(first->name.text),
                       first->values.size(), text::shown(one.name.text), one.values.size()));
   }
+  if (auto repeated = told_of_repeated(d)) return repeated;
   if (d.until && d.until->is_decided && d.requirements.empty())
     return wrong("nothing-to-decide", {}, "`until decided` goes with a requirement (--require)");
   return std::nullopt;

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -141,6 +144,21 @@ text::Result<Dimension> dimension_of(Written name, const Written& values) {
                    fmt::format("`{}` has a value that is empty", text::shown(out.name.text)));
   }
   return out;
+}
+
+std::optional<std::size_t> repeated_values(std::span<const Dimension* const> lists) {
+  std::unordered_set<std::string> seen;
+  const std::size_t count = lists.empty() ? 0 : lists.front()->values.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string key;
+    for (const Dimension* const list : lists) {
+      const std::string& text = list->values[i].text;
+      const std::optional<double> number = number_in(text);
+      key += (number ? shortest(*number + 0.0) : text) + '\0';  // of the two zeros one
+    }
+    if (!seen.insert(std::move(key)).second) return i;
+  }
+  return std::nullopt;
 }
 
 namespace {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +45,10 @@ text::Result<Dimension> dimension_of(Written name, const Written& values);
 /// `base_velocity=1,2,5`
 /// @errors  likewise; `expected NAME=VALUE`
 text::Result<Dimension> dimension_of(const Written& both);
+
+/// Where lists of one length have the same values, as numbers or as texts, that they had together before; the
+/// first such place. Nothing: each combination is there once.
+std::optional<std::size_t> repeated_values(std::span<const Dimension* const> lists);
 
 /// One value, whatever stands in it: `--set` of `mlab run`.
 text::Result<mdl::Setting> setting_of(std::string_view both);

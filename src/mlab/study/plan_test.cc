@@ -44,6 +44,17 @@ TEST(Plan, HasValuesInPairs) {
       std::string::npos);
 }
 
+TEST(Plan, HasNoCombinationTwice) {
+  for (const char* const set : {"v=1,2,1", "v=1,2,1.0", "v=0,-0", "v=a,b,a"}) {
+    EXPECT_NE(problem({{"set", set}}).find("is given twice: expected each once"), std::string::npos) << set;
+  }
+  EXPECT_EQ(problem({{"set", "v=a,b,A,1,1x"}}), "none");
+  // What is paired may come again, with something else beside it.
+  EXPECT_EQ(problem({{"set", "a=1,1,2"}, {"set", "b=x,y,x"}, {"combine", "paired"}}), "none");
+  EXPECT_EQ(problem({{"set", "a=1,2,1.0"}, {"set", "b=x,y,x"}, {"combine", "paired"}}),
+            "`a=1.0` with `b=x` is given twice: expected each once, as the same runs would be done again");
+}
+
 TEST(Plan, BeginsAllRunsOfASeedBeforeTheNext) {
   const Definition d = defined({{"set", "a=1,2"}, {"runs", "3"}, {"seed", "7"}, {"against", "n.mdl"}});
   const Plan plan(d);

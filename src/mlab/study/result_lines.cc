@@ -130,6 +130,8 @@ std::string difference(const Identity& there, const Identity& here) {
   for (const auto& [name, word] : here) {
     const std::string other = word_in(there, name);
     if (other == word) continue;
+    if (name == "texts")
+      return "holds runs of another batch: the mission, or a file that it takes, has changed since";
     return fmt::format("holds runs of another batch: its {} is `{}`, here it is `{}`", name,
                        text::shown(other, 100), text::shown(word, 100));
   }

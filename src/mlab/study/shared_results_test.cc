@@ -80,7 +80,7 @@ TEST_F(SharedFiles, RefuseThoseThatReadOtherTexts) {
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->results->begin(whole("now 0")), std::nullopt);
   EXPECT_EQ(second->results->begin(whole("now 0", "78")),
-            "holds runs of another batch: its texts is `77`, here it is `78`");
+            "holds runs of another batch: the mission, or a file that it takes, has changed since");
 }
 
 TEST_F(SharedFiles, AreOfOneJobOrGoneOnWithWhereSomebodySaysSo) {

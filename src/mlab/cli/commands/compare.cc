@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -114,6 +115,13 @@ void compute(comparison::Comparer& comparer, bool is_quiet) {
   while (!was_interrupted() && comparer.step()) progress.show(comparer.share_done());
 }
 
+// Once all that is known is told, so that it is the last that is read.
+void tell_interrupted(double share, const std::string& page) {
+  std::fflush(stdout);
+  fmt::print(stderr, "mlab compare: interrupted after {:.0f} % of the two runs; what is told{} goes as far\n",
+             std::floor(100.0 * share), page.empty() ? "" : fmt::format(", also in {},", page));
+}
+
 }  // namespace
 
 int compare(const CompareOptions& options) {
@@ -124,6 +132,7 @@ int compare(const CompareOptions& options) {
   const bool is_damaged = first->is_damaged || second->is_damaged;
   comparison::Comparer comparer({std::move(first->recorded), std::move(second->recorded)});
   compute(comparer, options.quiet);
+  const double share = comparer.share_done();
   const comparison::Comparison result = comparer.finish();
   if (options.json)
     fmt::print("{}", comparison::json_of(result));
@@ -132,13 +141,14 @@ int compare(const CompareOptions& options) {
   else
     fmt::print("{}", comparison::report_of(result));
   if (!options.page.empty()) {
-    if (!write_file(options.page, comparison::page_of(result, kVersion))) {
+    if (!write_file(options.page, comparison::page_of(result, kVersion), was_interrupted)) {
       fmt::print(stderr, "mlab compare: the page {} could not be written{}\n", options.page,
                  why_not_written());
       return kFailed;
     }
     if (!options.json) fmt::print("page: {}\n", options.page);
   }
+  if (!result.is_whole) tell_interrupted(share, options.page);
   return result.is_same() && result.is_whole && !is_damaged ? kDone : kFailed;
 }
 

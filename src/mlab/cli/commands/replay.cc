@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -124,6 +125,19 @@ bool compute(history::Replay& replay, RunScreen& screen, RunRecording* recording
   return !was_interrupted();
 }
 
+// What was asked for and what there is of it. A report would be of a run that nobody had.
+int tell_interrupted(const ReplayOptions& options, const RecordedRun& recorded, RunRecording* recording) {
+  const run::MissionRun& run = recorded.replay->run();
+  std::fflush(stdout);
+  fmt::print(stderr, "mlab replay: interrupted after {:.1f} of {:.1f} s; what comes later was not compared\n",
+             run.time(), recorded.history->last_time());
+  if (!options.report.empty())
+    fmt::print(stderr, "mlab replay: the report {} is not written\n", options.report);
+  if (recording != nullptr && recording->end("mlab replay", "interrupted"))
+    fmt::print(stderr, "mlab replay: the recording {} ends there\n", options.record);
+  return kFailed;
+}
+
 int show_page(const ReplayOptions& options) {
   if (options.quiet || !options.report.empty() || !options.record.empty()) {
     fmt::print(stderr, "mlab replay: --report, --record and --quiet go with --headless\n");
@@ -195,7 +209,8 @@ int replay(const ReplayOptions& options) {
   const double began = steady_seconds();
   const double cpu_began = cpu_seconds();
   const std::unique_ptr<RunRecording> recording = recording_of(options, *recorded.replay);
-  if (!compute(*recorded.replay, screen, recording.get())) return kFailed;
+  if (!compute(*recorded.replay, screen, recording.get()))
+    return tell_interrupted(options, recorded, recording.get());
   performance.wall_seconds = steady_seconds() - began;
   performance.cpu_seconds = cpu_seconds() - cpu_began;
   const run::MissionRun& run = recorded.replay->run();

@@ -230,6 +230,14 @@ void print_recorded(const history::History& history, const TraceOptions& options
   }
 }
 
+// @param time  how far it was computed [s]
+// @param end   of the run [s]
+void tell_interrupted(double time, double end, bool has_rows) {
+  std::fflush(stdout);
+  fmt::print(stderr, "mlab trace: interrupted after {:.1f} of {:.1f} s; {}\n", time, end,
+             has_rows ? "rows are written up to there" : "no row is written");
+}
+
 }  // namespace
 
 int trace(const TraceOptions& options) {
@@ -246,7 +254,12 @@ int trace(const TraceOptions& options) {
   }
   run::MissionRun& run = recorded.replay->run();
   Columns columns(options);
-  if (!find_columns(recorded, options, columns)) return was_interrupted() ? kFailed : kBadInput;
+  if (!find_columns(recorded, options, columns)) {
+    if (!was_interrupted()) return kBadInput;
+    fmt::print(stderr,
+               "mlab trace: interrupted while looking for robots that come later; no row is written\n");
+    return kFailed;
+  }
   fmt::print("cycle,time,robot,x,y,heading");
   for (const std::string& name : columns.names()) fmt::print(",{}", text::csv_field(name));
   fmt::print("\n");
@@ -268,7 +281,10 @@ int trace(const TraceOptions& options) {
         "the run "
         "has {}, up to {:.1f} s\n",
         options.from, base::counted(recorded.history->last_cycle(), "cycle"), recorded.history->last_time());
-  if (recorded.replay->divergence()) fmt::print(stderr, "{}\n", outcome_of(*recorded.replay));
+  if (was_interrupted())
+    tell_interrupted(run.time(), recorded.history->last_time(), has_rows);
+  else if (recorded.replay->divergence())
+    fmt::print(stderr, "{}\n", outcome_of(*recorded.replay));
   return recorded.replay->divergence() || recorded.is_damaged || was_interrupted() ? kFailed : kDone;
 }
 

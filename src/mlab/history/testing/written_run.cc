@@ -132,6 +132,8 @@ void add_robot(const run::MissionRun& run, const fleet::FleetRobot& robot, Sum& 
       run.fleet().perceive_at(robot, run.fleet().pose(robot), {}, run.cycle_duration());
   for (const percept::SharedPlace& place : told.shared_places)
     out << std::uint64_t{place.from.value} << place.place.x << place.place.y << place.time;
+  for (const percept::AskedPassage& passage : told.asked_passages)
+    out << std::uint64_t{passage.from.value} << passage.to.x << passage.to.y << passage.cost << passage.time;
   for (const percept::Claim& claim : told.claims)
     out << std::uint64_t{claim.robot.value} << std::uint64_t{claim.object.value};
   for (const percept::Contract& contract : told.contracts)

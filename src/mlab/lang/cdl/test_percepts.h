@@ -26,6 +26,7 @@ enum class TestPercept : std::uint8_t {
   kCamera,
   kBeam,
   kSharedPlace,
+  kAskedPassage,
   kClaim,
   kDoor,
   kHallway,
@@ -110,6 +111,10 @@ inline constexpr TestInput kTestSharedPlace[] = {
     {"at", "Point", "", "where"},
     {"from", "count", "2", "the number of the robot that told it", 0.0, kMostTestIds},
     {"object", "count", "0", "the number of what is there; 0: just a place", 0.0, kMostTestIds}};
+inline constexpr TestInput kTestAskedPassage[] = {
+    {"to", "Point", "", "where it wants to go"},
+    {"from", "count", "2", "the number of the robot that asks", 0.0, kMostTestIds},
+    {"cost", "number", "0", "of those who meet, the one with the least goes first"}};
 inline constexpr TestInput kTestClaim[] = {
     {"object", "count", "", "the number of what is claimed", 1.0, kMostTestIds},
     {"robot", "count", "2", "the number of who claims it", 0.0, kMostTestIds}};
@@ -150,6 +155,8 @@ inline constexpr std::array kTestPercepts = {
     TestPerceptInfo{TestPercept::kBeam, "beam", true, kTestBeam, "a beam of the ring of range sensors"},
     TestPerceptInfo{TestPercept::kSharedPlace, "shared_place", true, kTestSharedPlace,
                     "a place that another robot told"},
+    TestPerceptInfo{TestPercept::kAskedPassage, "asked_passage", true, kTestAskedPassage,
+                    "that another robot asks to be let through"},
     TestPerceptInfo{TestPercept::kClaim, "claim", true, kTestClaim,
                     "an object that a robot of the team claims"},
     TestPerceptInfo{TestPercept::kDoor, "door", true, kTestDoor, "a door of the building"},

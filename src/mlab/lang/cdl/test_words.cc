@@ -22,6 +22,7 @@ constexpr TestAction kActions[] = {
     {"AskToProceed", Request::kProceed, "asks the operator whether to go on"},
     {"TakeNotification", Request::kTakeNotification, "has heard a notification"},
     {"SharePlace", Request::kSharePlace, "tells the others a place"},
+    {"AskPassage", Request::kAskPassage, "asks those in its way to let it through"},
     {"Claim", Request::kClaim, "claims an object for itself"},
     {"MarkObject", Request::kMarkObject, "marks an object as something else"},
     {"MarkDoor", Request::kMarkDoor, "marks a door"},

@@ -91,7 +91,7 @@ std::shared_ptr<const mission::Mission> check_mission(const text::SourcePtr& sou
   const PlaceIndex places(mission->overlay);
   CommandReader reader({*mission, places, roster, tree.damage, preamble.overlays()}, source, diagnostics);
   mission->steps = read_steps(tree, reader);
-  for (mission::Step& step : mission->steps) settings.set_numbers(step, mission->options);
+  for (mission::Step& step : mission->steps) settings.set_options(step, mission->options);
   settings.set_formations(mission->steps);
   if (diagnostics.error_count() > errors) return nullptr;
   std::ranges::sort(mission->robots, {}, &mission::Robot::id);

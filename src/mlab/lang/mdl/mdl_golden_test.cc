@@ -60,7 +60,7 @@ TEST_F(MdlGolden, EveryKindOfDiagnosticHasOne) {
   auto shown = golden::kinds_expected_in(files);
   shown.insert("too-many-points");  // takes an overlay of megabytes: see limits_test.cc
   // What is wrong with settings from outside stands in no mission: see settings_test.cc.
-  shown.insert({"no-formation", "not-a-number", "unknown-overlay", "which-overlay"});
+  shown.insert({"no-formation", "not-a-number", "unknown-overlay", "unknown-word", "which-overlay"});
   for (const std::string& kind : said) EXPECT_TRUE(shown.contains(kind)) << kind;
 }
 

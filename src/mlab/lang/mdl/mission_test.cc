@@ -112,6 +112,17 @@ TEST(MdlCommands, TakePlacesByNameAndByCoordinates) {
   EXPECT_EQ(command("TELEOPERATE 10 20").task, mission::Task::kTeleoperate);
 }
 
+// As the maps of `mlab world` call their places.
+TEST(MdlCommands, GoToPlacesThatAreCalledAsCommandsAre) {
+  const auto mission = checked(
+      "SP Start 10 20\nSP Goal 30 40\nSP Stop 50 60\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START Start\n"
+      "1. UNIT u PATROL Goal Start\n   Stop UNTIL TIMEOUT 9 AND UNIT u VISIT Start Start\n2. UNIT u STOP\n");
+  ASSERT_NE(mission, nullptr);
+  const auto& patrol = std::get<mission::UnitCommand>(mission->steps[1].commands[0]);
+  EXPECT_EQ(patrol.route, (std::vector<geom::Point>{{30, 40}, {10, 20}, {50, 60}}));
+  EXPECT_EQ(std::get<mission::UnitCommand>(mission->steps[1].commands[1]).route.size(), 2U);
+}
+
 TEST(MdlCommands, RallyAtAPlaceWithARadius) {
   const UnitCommand at_name = command("RALLY PP-Charlie SPEED 2");
   EXPECT_EQ(at_name.task, mission::Task::kRally);

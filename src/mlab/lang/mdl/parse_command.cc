@@ -97,9 +97,11 @@ Location Parser::location(std::string_view command) {
   return out;
 }
 
-// Those behind the first one.
+// Those behind the first one. Of the words of the language those for commands may name them, as no command
+// begins there.
 void Parser::more_places(statement::UnitAction& action) {
   const auto at_place = [&] {
+    if (at(TokenKind::kWord) && task_of(token().word)) return true;
     if (token().first_on_line && is_robots(token())) return false;
     const bool is_clause = at(TokenKind::kName) && (equal_without_case(written(token()), "SWATH") ||
                                                     equal_without_case(written(token()), "HEADING"));

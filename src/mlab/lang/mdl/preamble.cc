@@ -68,7 +68,7 @@ void Preamble::run(const Tree& tree) {
   }
   settings_.check_overlays(overlays);
   for (const Statement& statement : tree.preamble) execute(statement);
-  settings_.set_numbers(mission_.options, mission_.overlay.mission_area());
+  settings_.set_options(mission_.options, mission_.overlay.mission_area());
   roster_.define_units_of_societies();
 }
 
@@ -313,7 +313,7 @@ void Preamble::request_obstacles(text::Span span) {
         .notes.push_back({"the first one is here", before.front().place});
   }
   before.clear();
-  settings_.set_numbers(mission_.options, mission_.overlay.mission_area());
+  settings_.set_options(mission_.options, mission_.overlay.mission_area());
   request_ = Request{mission_.options, mission_.overlay.mission_area(), span};
 }
 

@@ -48,6 +48,11 @@ Settings::Settings(const std::vector<Setting>& all, text::Diagnostics& diagnosti
     Kept kept;
     kept.setting = &setting;
     kept.number = number_option(setting.name);
+    const auto* const maneuver =
+        std::ranges::find_if(mission::kManeuvers, [&](const mission::ManeuverInfo& one) {
+          return !one.on.empty() && are_same(one.word, setting.name);
+        });
+    if (maneuver != std::end(mission::kManeuvers)) kept.maneuver = maneuver;
     kept.name = setting.name;
     if (const std::size_t colon = kept.name.find(':'); colon != std::string_view::npos) {
       kept.of = kept.name.substr(0, colon);
@@ -82,39 +87,59 @@ const Setting* Settings::in_place_of_overlay(std::string_view file) {
 }
 
 bool Settings::replaces(const std::variant<mission::BooleanOption, mission::NumberOption>& option) const {
-  const auto* number = std::get_if<mission::NumberOption>(&option);
-  return number != nullptr &&
-         std::ranges::any_of(all_, [&](const Kept& kept) { return kept.number == *number; });
+  return std::ranges::any_of(all_, [&](const Kept& kept) {
+    const auto* const number = std::get_if<mission::NumberOption>(&option);
+    if (number != nullptr) return kept.number == *number;
+    return kept.maneuver != nullptr && kept.maneuver->option == option;
+  });
 }
 
-void Settings::set_numbers(mission::Options& options, overlay::Area area) {
+void Settings::set_options(mission::Options& options, overlay::Area area) {
   for (Kept& kept : all_) {
-    if (!kept.number) continue;
-    const std::optional<double> value = number_in(kept.setting->value);
-    if (value) {
-      statement::Set set;
-      set.option = *kept.number;
-      set.option_span = kept.setting->name_place.span;
-      set.number = Number{*value, kept.setting->value, kept.setting->value_place.span};
-      text::Diagnostics said;
-      if (const auto command = read_set(set, options, area, kept.setting->name_place.source, said)) {
-        apply_set(*command, options);
-      } else if (!kept.was_used) {
-        for (text::Diagnostic one : said.items()) {
-          one.place = kept.setting->value_place;
-          diagnostics_.report(std::move(one));
-        }
-      }
-    } else if (!kept.was_used) {
-      diagnostics_.error(
-          "not-a-number", kept.setting->value_place,
-          fmt::format("{} takes a number, found {}", kept.setting->name, in_backticks(kept.setting->value)));
-    }
+    if (!kept.number && kept.maneuver == nullptr) continue;
+    if (kept.number)
+      set_number(kept, options, area);
+    else
+      set_maneuver(kept, options);
     kept.was_used = true;
   }
 }
 
-void Settings::set_numbers(mission::Step& step, const mission::Options& options) const {
+void Settings::set_number(Kept& kept, mission::Options& options, overlay::Area area) {
+  const std::optional<double> value = number_in(kept.setting->value);
+  if (value) {
+    statement::Set set;
+    set.option = *kept.number;
+    set.option_span = kept.setting->name_place.span;
+    set.number = Number{*value, kept.setting->value, kept.setting->value_place.span};
+    text::Diagnostics said;
+    if (const auto command = read_set(set, options, area, kept.setting->name_place.source, said)) {
+      apply_set(*command, options);
+    } else if (!kept.was_used) {
+      for (text::Diagnostic one : said.items()) {
+        one.place = kept.setting->value_place;
+        diagnostics_.report(std::move(one));
+      }
+    }
+  } else if (!kept.was_used) {
+    diagnostics_.error(
+        "not-a-number", kept.setting->value_place,
+        fmt::format("{} takes a number, found {}", kept.setting->name, in_backticks(kept.setting->value)));
+  }
+}
+
+void Settings::set_maneuver(Kept& kept, mission::Options& options) {
+  const mission::ManeuverInfo& maneuver = *kept.maneuver;
+  const bool is_on = are_same(kept.setting->value, maneuver.on);
+  if (is_on || are_same(kept.setting->value, maneuver.off))
+    apply_set(mission::SetBoolean{std::get<mission::BooleanOption>(maneuver.option), is_on}, options);
+  else if (!kept.was_used)
+    diagnostics_.error("unknown-word", kept.setting->value_place,
+                       fmt::format("{} takes {} or {}, found {}", maneuver.word, maneuver.on, maneuver.off,
+                                   in_backticks(kept.setting->value)));
+}
+
+void Settings::set_options(mission::Step& step, const mission::Options& options) const {
   for (mission::Command& command : step.commands) {
     auto* number = std::get_if<mission::SetNumber>(&command);
     // Of the numbers only this one can be set in a step.
@@ -154,7 +179,7 @@ void Settings::set_formations(std::vector<mission::Step>& steps) {
 
 void Settings::set_parameters(mission::Mission& mission, bool is_damaged) {
   for (const Kept& kept : all_) {
-    if (kept.was_used || kept.number || kept.is_formation) continue;
+    if (kept.was_used || kept.number || kept.maneuver != nullptr || kept.is_formation) continue;
     const Setting& setting = *kept.setting;
     if (kept.is_overlay) {
       diagnostics_.error("unknown-overlay", setting.name_place,

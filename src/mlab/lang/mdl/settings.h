@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mlab/lang/mdl/mdl.h"
+#include "mlab/mission/maneuver.h"
 #include "mlab/mission/mission.h"
 #include "mlab/overlay/overlay.h"
 #include "mlab/text/diagnostic.h"
@@ -27,10 +28,10 @@ class Settings {
 
   /// The mission's own SET of it does not count.
   bool replaces(const std::variant<mission::BooleanOption, mission::NumberOption>& option) const;
-  /// To be called where the numbers are used; the area says which of them it takes.
-  void set_numbers(mission::Options& options, overlay::Area area);
+  /// To be called where the options are used; the area says which numbers it takes.
+  void set_options(mission::Options& options, overlay::Area area);
   /// Those that a step sets itself.
-  void set_numbers(mission::Step& step, const mission::Options& options) const;
+  void set_options(mission::Step& step, const mission::Options& options) const;
   /// The formations that steps name.
   void set_formations(std::vector<mission::Step>& steps);
 
@@ -42,12 +43,16 @@ class Settings {
   struct Kept {
     const Setting* setting = nullptr;
     std::optional<mission::NumberOption> number;
+    const mission::ManeuverInfo* maneuver = nullptr;  // of which two words stand
     bool is_overlay = false;
     bool is_formation = false;
     std::string_view of;    // `scout` of `scout:base_velocity`; empty: all
     std::string_view name;  // without it
     bool was_used = false;  // or is told to be wrong
   };
+
+  void set_number(Kept& kept, mission::Options& options, overlay::Area area);
+  void set_maneuver(Kept& kept, mission::Options& options);
 
   std::vector<Kept> all_;
   text::Diagnostics& diagnostics_;

@@ -94,6 +94,24 @@ TEST_F(MdlSettings, RefuseNumbersThatAreNoneOrOutOfRangeOnce) {
   EXPECT_NE(told.find("takes a number, found `much`"), std::string::npos) << told;
 }
 
+TEST_F(MdlSettings, SayHowRobotsMoveInPlaceOfTheMission) {
+  const std::string text = std::string("SET NAVIGATION PLANNED\nSET STATIONS ASSIGNED\n") + kQuit;
+  const auto set = read(text, {{"navigation", "Reactive"}, {"STATIONS", "RANK"}, {"COHESION", "7"}});
+  ASSERT_NE(set, nullptr) << text::render(sink);
+  EXPECT_EQ(set->options.plans_ways, false);
+  EXPECT_EQ(set->options.assigns_stations, false);
+  EXPECT_EQ(set->options.cohesion, 7.0);
+  const auto other = read(std::string("SET NAVIGATION REACTIVE\n") + kQuit, {{"NAVIGATION", "PLANNED"}});
+  ASSERT_NE(other, nullptr) << text::render(sink);
+  EXPECT_EQ(other->options.plans_ways, true);
+  EXPECT_FALSE(other->options.assigns_stations);
+  const std::string told = errors(text, {{"NAVIGATION", "1"}});
+  EXPECT_EQ(sink.error_count(), 1U) << told;
+  EXPECT_NE(told.find("--set:1:12: error: NAVIGATION takes PLANNED or REACTIVE, found `1`"),
+            std::string::npos)
+      << told;
+}
+
 TEST_F(MdlSettings, SetTheSeedOfObstacles) {
   const auto by_run = read(kField, {});
   EXPECT_TRUE(by_run->has_obstacles_by_seed);

@@ -26,7 +26,7 @@ TEST(ActionWire, KeepsEveryBitOfWhatARobotDoes) {
 
 TEST(ActionWire, RefusesRequestsThatThereAreNot) {
   wire::Action message;
-  message.add_requests()->set_kind(static_cast<wire::Request::Kind>(21));
+  message.add_requests()->set_kind(static_cast<wire::Request::Kind>(22));
   percept::Action action;
   EXPECT_EQ(decode(message, action), "an action makes a request that there is not");
   message.mutable_requests(0)->set_kind(wire::Request::NOTIFY);

@@ -112,6 +112,16 @@ void encode(std::span<const percept::SharedPlace> places, wire::SharedPlaces& ou
   }
 }
 
+void encode(std::span<const percept::AskedPassage> passages, wire::AskedPassages& out) {
+  for (const auto& [from, to, cost, time] : passages) {
+    out.add_from(from.value);
+    out.add_x(to.x);
+    out.add_y(to.y);
+    out.add_cost(cost);
+    out.add_time(time);
+  }
+}
+
 void encode(std::span<const percept::Claim> claims, wire::Claims& out) {
   for (const auto& [object, robot] : claims) {
     out.add_object(object.value);
@@ -278,8 +288,8 @@ percept::Needs needs_of(const wire::Needs& message) {
 
 void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   const auto& [id, pose, time, cycle_duration, obstacles, robots, objects, camera, ranges, range_limit, touch,
-               map, carried, carried_class, order, unit, joystick, notifications, shared_places, claims,
-               contracts, ground, radio] = percepts;
+               map, carried, carried_class, order, unit, joystick, notifications, shared_places,
+               asked_passages, claims, contracts, ground, radio] = percepts;
   out.Clear();
   out.set_id(id.value);
   encode(pose, *out.mutable_pose());
@@ -302,6 +312,7 @@ void encode(const percept::Percepts& percepts, wire::Percepts& out) {
   for (const std::uint64_t name : notifications) out.add_notifications(name);
   encode(camera, *out.mutable_camera());
   if (!shared_places.empty()) encode(shared_places, *out.mutable_shared_places());
+  if (!asked_passages.empty()) encode(asked_passages, *out.mutable_asked_passages());
   if (!claims.empty()) encode(claims, *out.mutable_claims());
   if (!contracts.empty()) encode(contracts, *out.mutable_contracts());
   if (is_told(ground)) encode(ground, *out.mutable_ground());
@@ -391,6 +402,14 @@ std::optional<std::string> DecodedPercepts::decode_messages(const wire::Percepts
                               {places.x(i), places.y(i)},
                               places.time(i)});
   }
+  const wire::AskedPassages& passages = message.asked_passages();
+  if (!are(passages.from_size(), passages.x_size(), passages.y_size(), passages.cost_size(),
+           passages.time_size()))
+    return "the columns of the asked passages are not equally long";
+  asked_passages_.clear();
+  for (int i = 0; i < passages.from_size(); ++i)
+    asked_passages_.push_back(
+        {{passages.from(i)}, {passages.x(i), passages.y(i)}, passages.cost(i), passages.time(i)});
   const wire::Claims& claims = message.claims();
   if (!are(claims.object_size(), claims.robot_size()))
     return "the columns of the claims are not equally long";
@@ -524,6 +543,7 @@ std::optional<std::string> DecodedPercepts::decode(const wire::Percepts& message
   percepts_.notifications = notifications_;
   percepts_.camera = {message.camera().pan(), message.camera().field_of_view()};
   percepts_.shared_places = shared_places_;
+  percepts_.asked_passages = asked_passages_;
   percepts_.claims = claims_;
   percepts_.contracts = contracts_;
   percepts_.radio = radio_;

@@ -52,6 +52,7 @@ class DecodedPercepts {
   std::vector<geom::Point> route_;
   std::vector<std::uint64_t> notifications_;
   std::vector<percept::SharedPlace> shared_places_;
+  std::vector<percept::AskedPassage> asked_passages_;
   std::vector<percept::Claim> claims_;
   std::vector<percept::Contract> contracts_;
   std::vector<percept::Door> doors_;

@@ -90,6 +90,8 @@ TEST(PerceptsWire, RefusesColumnsOfDifferentLengths) {
             "the columns of the route are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_shared_places()->add_time(1.0); }),
             "the columns of the shared places are not equally long");
+  EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_asked_passages()->add_cost(1.0); }),
+            "the columns of the asked passages are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_ground()->add_disc_radius(1.0); }),
             "the columns of the ground are not equally long");
   EXPECT_EQ(problem([](wire::Percepts& m) { m.mutable_ground()->mutable_wall_a()->add_x(1.0); }),

@@ -97,8 +97,9 @@ std::uint64_t shared_layout() {
   std::uint64_t key = flow::module_layout();
   for (const std::uint64_t part :
        {sizeof(Control), sizeof(PlaceHeader), sizeof(Head), sizeof(percept::Door), sizeof(percept::Hallway),
-        sizeof(percept::SharedPlace), sizeof(percept::Claim), sizeof(percept::Contract),
-        sizeof(percept::RadioContact), sizeof(percept::Request), sizeof(flow::Interventions)})
+        sizeof(percept::SharedPlace), sizeof(percept::AskedPassage), sizeof(percept::Claim),
+        sizeof(percept::Contract), sizeof(percept::RadioContact), sizeof(percept::Request),
+        sizeof(flow::Interventions)})
     key = base::combine_bits(key, part);
   return key;
 }
