@@ -132,7 +132,7 @@ std::string warning_of(const ways::Coverage& found, const UnitCommand& command, 
 struct Terms {
   Terms(const Mission& mission, const UnitCommand& command, base::RobotId robot)
       : ground(known_things(mission.overlay)),
-        swath(command.swath - 2.0 * std::min(kOffWay, 0.05 * command.swath)) {
+        swath(command.swath - 2.0 * std::min(kOffWay, 0.08 * command.swath)) {
     ground.bounds = known_bounds(mission.overlay);
     for (const overlay::Barrier& one : overlay::barriers(mission.overlay)) {
       if (one.is_solid) opaque.push_back(one.segment);

@@ -15,7 +15,7 @@ namespace mlab::ways {
 namespace {
 
 // What is told by cells is a little more or less; so somewhat more is seen than is wanted.
-constexpr double kUnseen = 0.75 * (1.0 - Coverage::kWanted);
+constexpr double kUnseen = 0.6 * (1.0 - Coverage::kWanted);
 
 // A share of the area that may be out of sight at a wider clearance, and seen at the least one.
 constexpr double kLost = 0.0005;

@@ -13,9 +13,9 @@
 namespace mlab::ways {
 namespace {
 
-constexpr double kLeastShare = 4.0;      // its length [swaths]
-constexpr double kPiecesOfAShare = 8.0;  // as long as the longest ones are
-constexpr double kLeastPiece = 1.5;      // that is cut off a longer one [swaths]
+constexpr double kLeastShare = 4.0;       // its length [swaths]
+constexpr double kLongestInAShare = 8.0;  // so many of the longest pieces are as long as a mean share
+constexpr double kLeastPiece = 1.5;       // that is cut off a longer one [swaths]
 // What a share costs beside its length, in units of it, if it has the mean length: with the sixth power of
 // the length, so that none is much longer.
 constexpr double kFairness = 0.5;
@@ -78,7 +78,7 @@ class LaneShares {
     const double most = std::max(1.0, std::floor(total / (kLeastShare * swath)));
     const auto count = std::min(std::max<std::size_t>(robots.size(), 1), static_cast<std::size_t>(most));
     const double longest =
-        std::max(total / (kPiecesOfAShare * static_cast<double>(count)), kLeastPiece * swath);
+        std::max(total / (kLongestInAShare * static_cast<double>(count)), kLeastPiece * swath);
     pieces_ = count == 1 ? LaneShare(in_order.begin(), in_order.end()) : cut(in_order, longest);
     cut_order(count);
     if (count == 1) return;
