@@ -40,10 +40,10 @@ double length_of(const LanePiece& piece) {
 LaneShare cut(std::span<const LanePiece> pieces, double longest) {
   LaneShare out;
   for (const LanePiece& piece : pieces) {
-    const double parts = std::max(1.0, std::ceil(length_of(piece) / longest - 1e-9));
+    const int parts = std::max(1, static_cast<int>(std::ceil(length_of(piece) / longest - 1e-9)));
     geom::Point from = piece.a;
-    for (double i = 1.0; i < parts; i += 1.0) {
-      const geom::Point to = piece.a + (piece.b - piece.a) * (i / parts);
+    for (int i = 1; i < parts; ++i) {
+      const geom::Point to = piece.a + (piece.b - piece.a) * (static_cast<double>(i) / parts);
       out.push_back({std::exchange(from, to), to});
     }
     out.push_back({from, piece.b});
