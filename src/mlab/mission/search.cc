@@ -23,7 +23,8 @@ constexpr double kWorthTelling = 0.98;  // a smaller share of the area that is s
 constexpr double kLeastMargin = 0.1;    // [m]
 constexpr double kNearEnough = 0.9;     // to see what lies round a thing [half of the swath]
 constexpr double kLongestDetour = 0.2;  // that a robot may make on either side [swaths]
-constexpr double kOffWay = 0.15;        // a robot may be so far beside its lane [m]
+constexpr double kOffWay = 0.15;        // a robot may be so far beside its lane [m], or
+constexpr double kOffNarrowWay = 0.08;  // so far where that is less [swaths]
 
 // The way of a share: its waypoints, with the corners in between. Where it makes a detour one of these counts
 // as a waypoint, too, so that a robot does not go round on the other side, which sees something else.
@@ -91,16 +92,13 @@ std::size_t pieces_of(const ways::Coverage& found, const UnitCommand& command, s
 std::vector<geom::Point> route_of(const ways::Coverage& found, const UnitCommand& command,
                                   std::size_t robots) {
   if (found.waypoints.empty()) return {};
-  const double longest_detour = kLongestDetour * command.swath;
-  if (found.shares.size() == 1) return cut(Way(found, 0, longest_detour), pieces_of(found, command, robots));
+  const std::size_t pieces =
+      found.shares.size() == 1 ? pieces_of(found, command, robots) : percept::kPiecesOfAShare;
   std::vector<geom::Point> out;
   for (std::size_t share = 0; share < found.shares.size(); ++share) {
-    const auto pieces = cut(Way(found, share, longest_detour), percept::kPiecesOfAShare);
-    if (share > 0) {
-      const std::size_t repeated = pieces.front() == out.back() ? 0 : 2;
-      out.insert(out.end(), repeated, pieces.front());
-    }
-    out.insert(out.end(), pieces.begin(), pieces.end());
+    const auto way = cut(Way(found, share, kLongestDetour * command.swath), pieces);
+    if (!out.empty() && !(way.front() == out.back())) out.insert(out.end(), 2, way.front());
+    out.insert(out.end(), way.begin(), way.end());
   }
   return out;
 }
@@ -132,7 +130,7 @@ std::string warning_of(const ways::Coverage& found, const UnitCommand& command, 
 struct Terms {
   Terms(const Mission& mission, const UnitCommand& command, base::RobotId robot)
       : ground(known_things(mission.overlay)),
-        swath(command.swath - 2.0 * std::min(kOffWay, 0.08 * command.swath)) {
+        swath(command.swath - 2.0 * std::min(kOffWay, kOffNarrowWay * command.swath)) {
     ground.bounds = known_bounds(mission.overlay);
     for (const overlay::Barrier& one : overlay::barriers(mission.overlay)) {
       if (one.is_solid) opaque.push_back(one.segment);

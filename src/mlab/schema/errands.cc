@@ -80,6 +80,10 @@ std::span<const geom::Point> Errands::way(std::size_t errand) const {
                                       : order_.route.subspan(errand, 1);
 }
 
+geom::Point Errands::place(std::size_t errand) const {
+  return contracts_[errand] != nullptr ? contracts_[errand]->place : way(errand).front();
+}
+
 std::optional<std::size_t> Errands::errand_of(const Contract& contract) const {
   const std::uint32_t number = contract.object.value;
   if (contract.task != task_ || number == 0 || number > count_) return std::nullopt;
@@ -221,8 +225,11 @@ void bid_for_places(const Percepts& percepts, const Errands& errands, const Erra
 // Which piece of a share a robot would take that has none: the first that nobody has, since the next one
 // begins where it ends. Where somebody else goes along the share it is the last one, if this robot is there
 // before he has done those before it; but of who takes long the first one.
+//
+// @param lengths  of the pieces [m]
 std::optional<std::size_t> piece_to_take(const Percepts& percepts, const Errands& errands,
-                                         const ErrandSet& given_back, std::size_t share) {
+                                         const ErrandSet& given_back, std::size_t share,
+                                         std::span<const double> lengths) {
   constexpr double kSlow = 1.0;    // [m/s]
   constexpr double kGrace = 30.0;  // [s]
   const std::size_t begin = share * percept::kPiecesOfAShare;
@@ -239,12 +246,12 @@ std::optional<std::size_t> piece_to_take(const Percepts& percepts, const Errands
   if (first == end) return std::nullopt;
   const auto under_way = errands.piece_of_another(share, percepts.id);
   if (!under_way) return first;
-  const double length = route_length(errands.way(*under_way));
+  const double length = lengths[*under_way];
   if (percepts.time - errands.contract(*under_way)->time > length / kSlow + kGrace) return first;
   std::size_t last = end - 1;
   while (!is_left(last)) --last;
   const double pieces_before = static_cast<double>(last) - static_cast<double>(*under_way) - 1.0;
-  const double away = geom::distance(percepts.pose.position, errands.way(last).front());
+  const double away = geom::distance(percepts.pose.position, errands.place(last));
   return away < pieces_before * length ? std::optional(last) : std::nullopt;
 }
 
@@ -254,12 +261,18 @@ void bid_for_pieces(const Percepts& percepts, const Errands& errands, const Erra
                     percept::Action& action) {
   if (errands.has_one(percepts.id)) return;
   const double aside = 1.0 + route_length(percepts.order.route);  // farther than anything on it
+  std::array<double, kMostErrands> lengths{};
+  std::size_t number = 0;
+  percept::each_piece(percepts.order.route, [&](std::span<const geom::Point> one) {
+    lengths[number] = route_length(one);
+    return ++number < kMostErrands;
+  });
   const Contract* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t share = 0; share * percept::kPiecesOfAShare < errands.count(); ++share) {
-    const auto errand = piece_to_take(percepts, errands, given_back, share);
+    const auto errand = piece_to_take(percepts, errands, given_back, share, lengths);
     if (!errand) continue;
-    const double cost = geom::distance(percepts.pose.position, errands.way(*errand).front()) +
+    const double cost = geom::distance(percepts.pose.position, errands.place(*errand)) +
                         (errands.is_share_of_another(*errand, percepts.id) ? aside : 0.0);
     if (cost >= least) continue;
     best = errands.contract(*errand);

@@ -30,6 +30,8 @@ class Errands {
   std::uint64_t task() const { return task_; }
   /// That part: one place, or several that are gone along.
   std::span<const geom::Point> way(std::size_t errand) const;
+  /// Where that part, of those that there are, begins [m, world].
+  geom::Point place(std::size_t errand) const;
   /// Null: nobody has announced it.
   const percept::Contract* contract(std::size_t errand) const { return contracts_[errand]; }
   /// Which part the contract is about.
@@ -118,9 +120,10 @@ struct ErrandState {
 /// Where a robot is to go next that shares a VISIT or a SEARCH. Announces the parts that nobody has
 /// announced, its own slice first, so that a unit announces all of them soon, and those that nobody wanted,
 /// where this robot would take them. Bids for the part on offer that costs it least: of places by what they
-/// add to its way, of pieces by how far away they begin, those of others' shares last. Of a part it leaves
-/// out what it can't come to; where that is all of it gives the part back and, if no closed way tells why,
-/// says so.
+/// add to its way, of pieces, a share's next one, by how far away they begin, those of others' shares last
+/// and only where that is a help; for one that is not on offer just now it waits. Of a part it leaves out
+/// what it can't come to; where that is all of it gives the part back and, if no closed way tells why, says
+/// so.
 geom::Point next_errand(const percept::Percepts& percepts, LegWatch::Verdict verdict, ErrandState& state,
                         LegWatch& watch, percept::Action& action);
 

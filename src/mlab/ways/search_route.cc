@@ -33,10 +33,9 @@ SearchRoute::SearchRoute(SearchGrid& grid, BendingPlanner& planner, std::span<co
                          std::uint64_t most_effort)
     : grid_(grid), planner_(planner), most_effort_(most_effort) {
   for (const LaneShare& share : shares) {
-    begin_share();
     for (const LanePiece& piece : share) append(piece);
+    end_share();
   }
-  begin_share();
   for (int row = 0; stops_.empty() && row < grid.rows(); ++row) {
     for (int column = 0; stops_.empty() && column < grid.columns(); ++column) {
       if (!grid.can_be_seen(grid.index(column, row))) continue;
@@ -74,17 +73,14 @@ void SearchRoute::see_only_stop(int by) {
 }
 
 /// Who would have one stop only belongs to the share before.
-void SearchRoute::begin_share() {
+void SearchRoute::end_share() {
   if (stops_.size() < 2) return;
-  const auto last = std::prev(stops_.end());
-  if (!is_first(last)) {
-    is_new_share_ = true;
-    return;
+  if (is_first(std::prev(stops_.end()))) {
+    const geom::Point at = stops_.back().at;
+    stops_.pop_back();
+    is_new_share_ = false;
+    append(at);
   }
-  const geom::Point at = last->at;
-  stops_.erase(last);
-  is_new_share_ = false;
-  append(at);
   is_new_share_ = true;
 }
 

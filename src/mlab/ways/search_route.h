@@ -97,7 +97,7 @@ class SearchRoute {
   void see(const Detour& detour, int by);
   bool is_first(Place stop) const { return stop == stops_.begin() || std::prev(stop)->is_last; }
   void see_only_stop(int by);
-  void begin_share();
+  void end_share();
   void append(geom::Point at);
   void append(const LanePiece& piece);
   bool exchange(std::span<const Leg* const> old, std::span<const Leg* const> instead, const Bargain& bargain);
