@@ -10,8 +10,7 @@
 namespace mlab::history {
 namespace {
 
-// Checkpoints may take up a tenth of the first pass, and a quarter of the way to where somebody looks.
-constexpr double kLeastOfPass = 10.0;
+// Checkpoints may take up a quarter of the way to where somebody looks.
 constexpr double kLeastOfWay = 4.0;
 
 class Stopwatch {
@@ -66,7 +65,7 @@ bool Timeline::step_front() {
   if (!front_->step()) return false;
   if (watcher_) watcher_(front_->run());
   since_laid_ += watch.seconds();
-  if (since_laid_ >= std::max(settings_.spacing, kLeastOfPass * cost_of_save_)) {
+  if (since_laid_ >= std::max(settings_.spacing, cost_of_save_ / settings_.most_share)) {
     lay(*front_);
     since_laid_ = 0.0;
   }

@@ -23,7 +23,8 @@ class Timeline {
   struct Settings {
     /// That checkpoints take up: with two runs of a thousand robots it is 200 MB.
     std::size_t most_bytes = 185'000'000;
-    double spacing = 0.01;  ///< from one checkpoint to the next, while there is room [s] of computing
+    double spacing = 0.01;    ///< from one checkpoint to the next, while there is room [s] of computing
+    double most_share = 0.1;  ///< of the first pass's time that checkpoints may take; infinite: any
   };
 
   /// @param history  may be of a run that goes on: its line grows
