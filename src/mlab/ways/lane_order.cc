@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 namespace mlab::ways {
@@ -30,10 +29,6 @@ struct Stretch {
 /// Of one lane and the next, of which each has just one beside it.
 using LaneCell = std::vector<std::size_t>;
 
-/// An end of a piece: twice its number, and 1 where it is its higher end. As a directed piece: that begins
-/// there.
-using PieceEnd = std::uint32_t;
-
 bool sees_something(const SearchGrid& grid, int column, int lane) {
   const int row = grid.row_of_lane(lane);
   if (!grid.may_be_at(grid.index(column, row))) return false;
@@ -58,24 +53,22 @@ LanePiece piece_of(const SearchGrid& grid, int first, int last, int lane) {
 
 class LaneOrder {
  public:
-  LaneOrder(const SearchGrid& grid, BendingPlanner& planner) : grid_(grid), planner_(planner) {
+  LaneOrder(const SearchGrid& grid, BendingPlanner& planner) : grid_(grid), ends_(planner) {
     for (int lane = 0; lane < grid.lanes().count; ++lane) enter_lane(lane);
     make_cells();
     line_up_cells();
-    most_effort_ = planner.effort() + kMostOrderEffort;
+    most_effort_ = ends_.effort() + kMostOrderEffort;
     for (int i = 0; i < kMostImprovements && improve(); ++i) {
     }
   }
 
   std::vector<LanePiece> pieces() const {
     std::vector<LanePiece> out;
-    for (const PieceEnd end : order_) out.push_back({place(end), place(end ^ 1U)});
+    for (const PieceEnd end : order_) out.push_back(ends_.piece(end));
     return out;
   }
 
  private:
-  geom::Point place(PieceEnd end) const { return end % 2 == 0 ? pieces_[end / 2].a : pieces_[end / 2].b; }
-
   void enter_lane(int lane) {
     const std::size_t first_stretch = stretches_.size();
     for (int column = 0; column < grid_.columns(); ++column) {
@@ -88,8 +81,8 @@ class LaneOrder {
       if (stretches_.size() == first_stretch || from - stretches_.back().to > kNarrowGap * grid_.swath())
         stretches_.push_back({lane, from, to, {}, 0});
       stretches_.back().to = to;
-      stretches_.back().pieces.push_back(static_cast<std::uint32_t>(pieces_.size()));
-      pieces_.push_back(piece);
+      stretches_.back().pieces.push_back(static_cast<std::uint32_t>(ends_.count()));
+      ends_.add(piece);
     }
   }
 
@@ -137,7 +130,7 @@ class LaneOrder {
       for (std::size_t i = 0; i < left.size(); ++i) {
         for (int way = 0; way < 4; ++way) {
           const auto order = order_of(left[i], way / 2 == 1, way % 2 == 1);
-          const double far = order_.empty() ? 0.0 : distance(place(order_.back() ^ 1U), place(order.front()));
+          const double far = order_.empty() ? 0.0 : ends_.straight(order_.back() ^ 1U, order.front());
           if (far >= least) continue;
           least = far;
           nearest = i;
@@ -149,28 +142,16 @@ class LaneOrder {
     }
   }
 
-  /// Of the way between two ends [m].
-  double way(PieceEnd a, PieceEnd b) {
-    const auto key = (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | std::max(a, b);
-    const auto [known, is_new] = ways_.try_emplace(key, 0.0);
-    if (is_new) {
-      const auto found = planner_.find(place(a), place(b));
-      known->second = found ? found->length : std::numeric_limits<double>::infinity();
-    }
-    return known->second;
-  }
-  double straight(PieceEnd a, PieceEnd b) const { return distance(place(a), place(b)); }
-
   /// Ways between ends, each pair of them once.
   using Joints = std::vector<std::pair<PieceEnd, PieceEnd>>;
   bool is_shorter(const Joints& than, const Joints& joints) {
     double most = -1e-6;
-    for (const auto& [a, b] : than) most += way(a, b);
+    for (const auto& [a, b] : than) most += ends_.way(a, b);
     double least = 0.0;
-    for (const auto& [a, b] : joints) least += straight(a, b);
+    for (const auto& [a, b] : joints) least += ends_.straight(a, b);
     if (!(least < most)) return false;
     double length = 0.0;
-    for (const auto& [a, b] : joints) length += way(a, b);
+    for (const auto& [a, b] : joints) length += ends_.way(a, b);
     return length < most;
   }
 
@@ -182,7 +163,7 @@ class LaneOrder {
 
   bool improve() {
     bool out = false;
-    for (std::size_t i = 0; i < order_.size() && planner_.effort() < most_effort_; ++i) {
+    for (std::size_t i = 0; i < order_.size() && ends_.effort() < most_effort_; ++i) {
       for (std::size_t j = i; j < std::min(order_.size(), i + kWindow); ++j) out |= turn_round(i, j);
       for (std::size_t j = i; j < std::min(order_.size(), i + kMostMoved); ++j) out |= move(i, j);
     }
@@ -198,13 +179,8 @@ class LaneOrder {
     if (i > 0) after.emplace_back(order_[i - 1] ^ 1U, order_[j] ^ 1U);
     if (j + 1 < order_.size()) after.emplace_back(order_[i], order_[j + 1]);
     if (!is_shorter(before, after)) return false;
-    turn(i, j + 1);
+    turn_part(order_, i, j + 1);
     return true;
-  }
-  void turn(std::size_t first, std::size_t end) {
-    std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(first),
-                 order_.begin() + static_cast<std::ptrdiff_t>(end));
-    for (std::size_t k = first; k < end; ++k) order_[k] ^= 1U;
   }
 
   /// What is from i to j to somewhere else, turned round or not.
@@ -231,7 +207,7 @@ class LaneOrder {
     if (to > 0) after.emplace_back(order_[to - 1] ^ 1U, begin);
     if (to < order_.size()) after.emplace_back(end, order_[to]);
     if (!is_shorter(before, after)) return false;
-    if (is_turned) turn(i, j + 1);
+    if (is_turned) turn_part(order_, i, j + 1);
     const auto at = [&](std::size_t k) { return order_.begin() + static_cast<std::ptrdiff_t>(k); };
     if (to < i)
       std::rotate(at(to), at(i), at(j + 1));
@@ -241,13 +217,11 @@ class LaneOrder {
   }
 
   const SearchGrid& grid_;
-  BendingPlanner& planner_;
   std::uint64_t most_effort_ = 0;  // of the planner
-  std::vector<LanePiece> pieces_;  // from low to high
+  LaneEnds ends_;                  // of pieces from low to high
   std::vector<Stretch> stretches_;
   std::vector<LaneCell> cells_;
   std::vector<PieceEnd> order_;
-  std::unordered_map<std::uint64_t, double> ways_;
 };
 
 }  // namespace

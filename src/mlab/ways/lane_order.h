@@ -3,13 +3,11 @@
 #include <vector>
 
 #include "mlab/ways/bending_planner.h"
+#include "mlab/ways/lane_ends.h"
 #include "mlab/ways/search_grid.h"
 
 /// For sources of this module only.
 namespace mlab::ways {
-
-/// A piece of a lane that a robot can follow, as it does: from a to b.
-using LanePiece = geom::Segment;
 
 /// All pieces of all lanes of the grid from which something can be seen, in an order in which the ways from
 /// one to the next are short: to and fro in cells in which lanes lie side by side, one cell after the other,

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "mlab/base/random.h"
@@ -31,59 +30,41 @@ constexpr std::uint64_t kMostShareEffort = 12'000'000;  // of the planner: some 
 // Of the mean length: what a change may cost in the beginning, and in the end.
 constexpr double kHot = 0.15;
 constexpr double kCold = 0.0005;
-constexpr double kNoWay = 1e7;  // longer than any [m]
 
 double length_of(const LanePiece& piece) {
   return distance(piece.a, piece.b);
 }
 
-LaneShare cut(std::span<const LanePiece> pieces, double longest) {
-  LaneShare out;
-  for (const LanePiece& piece : pieces) {
-    const int parts = std::max(1, static_cast<int>(std::ceil(length_of(piece) / longest - 1e-9)));
-    geom::Point from = piece.a;
-    for (int i = 1; i < parts; ++i) {
-      const geom::Point to = piece.a + (piece.b - piece.a) * (static_cast<double>(i) / parts);
-      out.push_back({std::exchange(from, to), to});
-    }
-    out.push_back({from, piece.b});
-  }
-  return out;
-}
-
-/// An end of a piece: twice its number, and 1 where it is its later end. As a directed piece: that begins
-/// there.
-using End = std::uint32_t;
-constexpr End kNone = std::numeric_limits<End>::max();
+constexpr PieceEnd kNone = std::numeric_limits<PieceEnd>::max();
 
 /// What one robot follows, and how long that is.
 struct Share {
-  std::vector<End> order;
+  std::vector<PieceEnd> order;
   std::vector<double> begins;  // by piece: of the way from the robot to its beginning [m]
   double length = 0.0;         // with the way there [m]
   std::optional<geom::Point> from;
 
   std::size_t size() const { return order.size(); }
-  End into(std::size_t i) const { return i < order.size() ? order[i] : kNone; }
-  End out_of(std::size_t i) const { return i > 0 ? order[i - 1] ^ 1U : kNone; }  ///< of what is before i
+  PieceEnd into(std::size_t i) const { return i < order.size() ? order[i] : kNone; }
+  PieceEnd out_of(std::size_t i) const { return i > 0 ? order[i - 1] ^ 1U : kNone; }  ///< of what is before i
 };
 
 class LaneShares {
  public:
   LaneShares(std::span<const LanePiece> in_order, BendingPlanner& planner,
              std::span<const geom::Point> robots, double swath)
-      : planner_(planner), random_(kSeed) {
+      : ends_(planner), random_(kSeed) {
     double total = 0.0;
     for (const LanePiece& piece : in_order) total += length_of(piece);
     const double most = std::max(1.0, std::floor(total / (kLeastShare * swath)));
     const auto count = std::min(std::max<std::size_t>(robots.size(), 1), static_cast<std::size_t>(most));
     const double longest =
         std::max(total / (kLongestInAShare * static_cast<double>(count)), kLeastPiece * swath);
-    pieces_ = count == 1 ? LaneShare(in_order.begin(), in_order.end()) : cut(in_order, longest);
+    for (const LanePiece& piece : in_order) add(piece, count == 1 ? length_of(piece) : longest);
     cut_order(count);
     if (count == 1) return;
     assign(robots);
-    if (pieces_.size() > kMostPieces) return;
+    if (ends_.count() > kMostPieces) return;
     find_neighbours();
     improve();
   }
@@ -92,7 +73,7 @@ class LaneShares {
     std::vector<LaneShare> out;
     for (const Share& share : shares_) {
       LaneShare pieces;
-      for (const End end : share.order) pieces.push_back({place(end), place(end ^ 1U)});
+      for (const PieceEnd end : share.order) pieces.push_back(ends_.piece(end));
       if (!pieces.empty() || out.empty()) out.push_back(std::move(pieces));
     }
     return out;
@@ -104,25 +85,31 @@ class LaneShares {
     std::size_t i = 0;
   };
 
-  geom::Point place(End end) const { return end % 2 == 0 ? pieces_[end / 2].a : pieces_[end / 2].b; }
-  double length(End end) const { return length_of(pieces_[end / 2]); }
+  /// Where it is longer, as parts of one length.
+  void add(const LanePiece& piece, double longest) {
+    const int parts = std::max(1, static_cast<int>(std::ceil(length_of(piece) / longest - 1e-9)));
+    geom::Point from = piece.a;
+    for (int i = 1; i < parts; ++i) {
+      const geom::Point to = piece.a + (piece.b - piece.a) * (static_cast<double>(i) / parts);
+      ends_.add({std::exchange(from, to), to});
+    }
+    ends_.add({from, piece.b});
+  }
 
   /// Into shares of one length.
   void cut_order(std::size_t count) {
+    const auto all = static_cast<PieceEnd>(ends_.count());
+    const auto gap = [&](PieceEnd i) { return i == 0 ? 0.0 : ends_.straight(2 * i - 1, 2 * i); };
     double total = 0.0;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (i > 0) total += distance(pieces_[i - 1].b, pieces_[i].a);
-      total += length_of(pieces_[i]);
-    }
+    for (PieceEnd i = 0; i < all; ++i) total += gap(i) + ends_.length(2 * i);
     mean_ = std::max(total / static_cast<double>(count), 1e-6);
     shares_.resize(count);
     double passed = 0.0;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (i > 0) passed += distance(pieces_[i - 1].b, pieces_[i].a);
-      const double middle = passed + 0.5 * length_of(pieces_[i]);
-      passed += length_of(pieces_[i]);
+    for (PieceEnd i = 0; i < all; ++i) {
+      const double middle = passed + gap(i) + 0.5 * ends_.length(2 * i);
+      passed += gap(i) + ends_.length(2 * i);
       const auto share = std::min(static_cast<std::size_t>(middle / mean_), count - 1);
-      shares_[share].order.push_back(static_cast<End>(2 * i));
+      shares_[share].order.push_back(2 * i);
     }
   }
 
@@ -136,7 +123,8 @@ class LaneShares {
       for (Share& share : shares_) {
         if (share.from) continue;
         for (std::size_t k = 0; k < left.size(); ++k) {
-          const double away = share.order.empty() ? 1e300 : distance(left[k], place(share.order.front()));
+          const double away =
+              share.order.empty() ? 1e300 : distance(left[k], ends_.place(share.order.front()));
           if (away >= least) continue;
           least = away;
           best = &share;
@@ -146,7 +134,7 @@ class LaneShares {
       best->from = left[who];
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(who));
     }
-    spots_.resize(pieces_.size());
+    spots_.resize(ends_.count());
     double total = 0.0;
     for (std::size_t share = 0; share < shares_.size(); ++share) {
       has_changed(share);
@@ -162,19 +150,19 @@ class LaneShares {
     for (std::size_t i = 0; i < share.size(); ++i) {
       share.length += joint(share, share.out_of(i), share.order[i]);
       share.begins.push_back(share.length);
-      share.length += length(share.order[i]);
+      share.length += ends_.length(share.order[i]);
       spots_[share.order[i] / 2] = {number, i};
     }
   }
 
   void find_neighbours() {
-    const std::size_t ends = 2 * pieces_.size();
+    const std::size_t ends = 2 * ends_.count();
     neighbours_.resize(ends);
-    std::vector<std::pair<double, End>> all;
-    for (End a = 0; a < ends; ++a) {
+    std::vector<std::pair<double, PieceEnd>> all;
+    for (PieceEnd a = 0; a < ends; ++a) {
       all.clear();
-      for (End b = 0; b < ends; ++b) {
-        if (a / 2 != b / 2) all.emplace_back(distance(place(a), place(b)), b);
+      for (PieceEnd b = 0; b < ends; ++b) {
+        if (a / 2 != b / 2) all.emplace_back(distance(ends_.place(a), ends_.place(b)), b);
       }
       const std::size_t count = std::min(kMostBeside, all.size());
       std::ranges::partial_sort(all, all.begin() + static_cast<std::ptrdiff_t>(count));
@@ -184,23 +172,13 @@ class LaneShares {
 
   /// Of the way between two ends, or from where a share's robot is to one; nothing leads on from the last one
   /// [m].
-  double joint(const Share& share, End a, End b) {
+  double joint(const Share& share, PieceEnd a, PieceEnd b) {
     if (b == kNone) return 0.0;
-    return a != kNone ? way(a, b) : distance(*share.from, place(b));
+    return a != kNone ? ends_.way(a, b) : distance(*share.from, ends_.place(b));
   }
-  double straight(const Share& share, End a, End b) const {
+  double straight(const Share& share, PieceEnd a, PieceEnd b) const {
     if (b == kNone) return 0.0;
-    return distance(a != kNone ? place(a) : *share.from, place(b));
-  }
-  double way(End a, End b) {
-    if (place(a) == place(b)) return 0.0;
-    const auto key = (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | std::max(a, b);
-    const auto [known, is_new] = ways_.try_emplace(key, 0.0);
-    if (is_new) {
-      const auto found = planner_.find(place(a), place(b));
-      known->second = found ? found->length : kNoWay;
-    }
-    return known->second;
+    return distance(a != kNone ? ends_.place(a) : *share.from, ends_.place(b));
   }
 
   double cost(double length) const {
@@ -215,13 +193,13 @@ class LaneShares {
 
   /// Simulated annealing.
   void improve() {
-    const std::uint64_t tries = std::min(kMostTries, kTriesOfAPiece * pieces_.size());
-    const std::uint64_t most_effort = planner_.effort() + kMostShareEffort;
+    const std::uint64_t tries = std::min(kMostTries, kTriesOfAPiece * ends_.count());
+    const std::uint64_t most_effort = ends_.effort() + kMostShareEffort;
     const double hot = kHot * mean_ * (1.0 + kFairness);
     std::vector<Share> best = shares_;
     double now = cost();
     double least = now;
-    for (std::uint64_t i = 0; i < tries && planner_.effort() < most_effort; ++i) {
+    for (std::uint64_t i = 0; i < tries && ends_.effort() < most_effort; ++i) {
       const double done = static_cast<double>(i) / static_cast<double>(tries);
       // It may cost as much.
       most_ = -hot * std::pow(kCold / kHot, done) * std::log(1.0 - random_.uniform());
@@ -238,7 +216,7 @@ class LaneShares {
 
   void change() {
     const double kind = random_.uniform();
-    const End a = static_cast<End>(any(2 * pieces_.size()));
+    const PieceEnd a = static_cast<PieceEnd>(any(2 * ends_.count()));
     if (kind < 0.02) {
       swap_robots(any(shares_.size()), any(shares_.size()));
     } else if (kind < 0.1) {
@@ -246,7 +224,7 @@ class LaneShares {
     } else {
       const auto& beside = neighbours_[a];
       if (beside.empty()) return;
-      const End b = beside[any(beside.size())];
+      const PieceEnd b = beside[any(beside.size())];
       if (kind < 0.55)
         move_to(a, b, 1 + any(kMostMovedOver));
       else
@@ -270,8 +248,8 @@ class LaneShares {
     Share& a = shares_[one];
     Share& b = shares_[other];
     if (one == other || a.order.empty() || b.order.empty()) return;
-    const double now_a = a.length - a.begins[0] + distance(*b.from, place(a.order[0]));
-    const double now_b = b.length - b.begins[0] + distance(*a.from, place(b.order[0]));
+    const double now_a = a.length - a.begins[0] + distance(*b.from, ends_.place(a.order[0]));
+    const double now_b = b.length - b.begins[0] + distance(*a.from, ends_.place(b.order[0]));
     if (!is_wanted(a, b, now_a, now_b)) return;
     std::swap(a.from, b.from);
     gain(one, other);
@@ -282,24 +260,19 @@ class LaneShares {
   /// [first, end) of a share.
   void turn(std::size_t number, std::size_t first, std::size_t end) {
     Share& share = shares_[number];
-    const End a = share.out_of(first);
-    const End b = share.order[first];
-    const End c = share.out_of(end);
-    const End d = share.into(end);
+    const PieceEnd a = share.out_of(first);
+    const PieceEnd b = share.order[first];
+    const PieceEnd c = share.out_of(end);
+    const PieceEnd d = share.into(end);
     const double rest = share.length - joint(share, a, b) - joint(share, c, d);
     if (!is_wanted(share, share, rest + straight(share, a, c) + straight(share, b, d), 0.0)) return;
     if (!is_wanted(share, share, rest + joint(share, a, c) + joint(share, b, d), 0.0)) return;
-    turn(share.order, first, end);
+    turn_part(share.order, first, end);
     gain(number, number);
-  }
-  static void turn(std::vector<End>& order, std::size_t first, std::size_t end) {
-    std::reverse(order.begin() + static_cast<std::ptrdiff_t>(first),
-                 order.begin() + static_cast<std::ptrdiff_t>(end));
-    for (std::size_t k = first; k < end; ++k) order[k] ^= 1U;
   }
 
   /// The piece of b, and some that follow or precede it, to where a is, so that b is beside a.
-  void move_to(End a, End b, std::size_t count) {
+  void move_to(PieceEnd a, PieceEnd b, std::size_t count) {
     const Spot target = spots_[a / 2];
     const Spot spot = spots_[b / 2];
     Share& to = shares_[target.share];
@@ -312,13 +285,13 @@ class LaneShares {
     const std::size_t at = leaves_by_a ? target.i + 1 : target.i;  // it comes in front of that
     if (target.share == spot.share && at >= first && at <= end) return;
     const bool is_turned = leaves_by_a != enters_by_b;
-    const End begin = is_turned ? from.out_of(end) : from.order[first];
-    const End stop = is_turned ? from.order[first] : from.out_of(end);
-    const double part = from.begins[end - 1] + length(from.order[end - 1]) - from.begins[first];
-    const End before = from.out_of(first);
-    const End after = from.into(end);
-    const End p = to.out_of(at);
-    const End q = to.into(at);
+    const PieceEnd begin = is_turned ? from.out_of(end) : from.order[first];
+    const PieceEnd stop = is_turned ? from.order[first] : from.out_of(end);
+    const double part = from.begins[end - 1] + ends_.length(from.order[end - 1]) - from.begins[first];
+    const PieceEnd before = from.out_of(first);
+    const PieceEnd after = from.into(end);
+    const PieceEnd p = to.out_of(at);
+    const PieceEnd q = to.into(at);
     const double cut_out =
         joint(from, before, from.order[first]) + joint(from, from.out_of(end), after) + part;
     const double gap = joint(to, p, q);
@@ -330,7 +303,7 @@ class LaneShares {
     };
     if (!fits(straight(from, before, after), straight(to, p, begin), straight(to, stop, q))) return;
     if (!fits(joint(from, before, after), joint(to, p, begin), joint(to, stop, q))) return;
-    if (is_turned) turn(from.order, first, end);
+    if (is_turned) turn_part(from.order, first, end);
     const auto place_of = [&](std::size_t k) { return from.order.begin() + static_cast<std::ptrdiff_t>(k); };
     if (&from != &to) {
       to.order.insert(to.order.begin() + static_cast<std::ptrdiff_t>(at), place_of(first), place_of(end));
@@ -345,7 +318,7 @@ class LaneShares {
 
   /// So that a way leads from a straight to b, by changing what follows them: with what the other share has
   /// there, or, in one share, by turning round what is between.
-  void join(End a, End b) {
+  void join(PieceEnd a, PieceEnd b) {
     const Spot one = spots_[a / 2];
     const Spot other = spots_[b / 2];
     const bool leaves_by_a = shares_[one.share].order[one.i] != a;
@@ -364,17 +337,17 @@ class LaneShares {
   void change_tails(std::size_t one, std::size_t i, std::size_t other, std::size_t k) {
     Share& x = shares_[one];
     Share& y = shares_[other];
-    const End a = x.out_of(i);
-    const End b = x.into(i);
-    const End c = y.out_of(k);
-    const End d = y.into(k);
-    const double head_x = i == 0 ? 0.0 : x.begins[i - 1] + length(x.order[i - 1]);
-    const double head_y = k == 0 ? 0.0 : y.begins[k - 1] + length(y.order[k - 1]);
+    const PieceEnd a = x.out_of(i);
+    const PieceEnd b = x.into(i);
+    const PieceEnd c = y.out_of(k);
+    const PieceEnd d = y.into(k);
+    const double head_x = i == 0 ? 0.0 : x.begins[i - 1] + ends_.length(x.order[i - 1]);
+    const double head_y = k == 0 ? 0.0 : y.begins[k - 1] + ends_.length(y.order[k - 1]);
     const double tail_x = x.length - head_x - joint(x, a, b);
     const double tail_y = y.length - head_y - joint(y, c, d);
     if (!is_wanted(x, y, head_x + straight(x, a, d) + tail_y, head_y + straight(y, c, b) + tail_x)) return;
     if (!is_wanted(x, y, head_x + joint(x, a, d) + tail_y, head_y + joint(y, c, b) + tail_x)) return;
-    std::vector<End> tail(x.order.begin() + static_cast<std::ptrdiff_t>(i), x.order.end());
+    std::vector<PieceEnd> tail(x.order.begin() + static_cast<std::ptrdiff_t>(i), x.order.end());
     x.order.resize(i);
     x.order.insert(x.order.end(), y.order.begin() + static_cast<std::ptrdiff_t>(k), y.order.end());
     y.order.resize(k);
@@ -382,16 +355,14 @@ class LaneShares {
     gain(one, other);
   }
 
-  BendingPlanner& planner_;
+  LaneEnds ends_;
   base::Random random_;
   double most_ = 0.0;    // that a change may cost
   double gained_ = 0.0;  // by the last change, of cost
   double mean_ = 1.0;    // length of a share [m]
-  LaneShare pieces_;
   std::vector<Share> shares_;
-  std::vector<Spot> spots_;                   // by piece
-  std::vector<std::vector<End>> neighbours_;  // by end, the nearest ends first
-  std::unordered_map<std::uint64_t, double> ways_;
+  std::vector<Spot> spots_;                        // by piece
+  std::vector<std::vector<PieceEnd>> neighbours_;  // by end, the nearest ends first
 };
 
 }  // namespace
