@@ -216,7 +216,7 @@ class LaneShares {
 
   void change() {
     const double kind = random_.uniform();
-    const PieceEnd a = static_cast<PieceEnd>(any(2 * ends_.count()));
+    const auto a = static_cast<PieceEnd>(any(2 * ends_.count()));
     if (kind < 0.02) {
       swap_robots(any(shares_.size()), any(shares_.size()));
     } else if (kind < 0.1) {
