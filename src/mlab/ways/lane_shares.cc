@@ -59,8 +59,9 @@ class LaneShares {
     const double most = std::max(1.0, std::floor(total / (kLeastShare * swath)));
     const auto count = std::min(std::max<std::size_t>(robots.size(), 1), static_cast<std::size_t>(most));
     const double longest =
-        std::max(total / (kLongestInAShare * static_cast<double>(count)), kLeastPiece * swath);
-    for (const LanePiece& piece : in_order) add(piece, count == 1 ? length_of(piece) : longest);
+        count == 1 ? std::numeric_limits<double>::infinity()
+                   : std::max(total / (kLongestInAShare * static_cast<double>(count)), kLeastPiece * swath);
+    for (const LanePiece& piece : in_order) add(piece, longest);
     cut_order(count);
     if (count == 1) return;
     assign(robots);
