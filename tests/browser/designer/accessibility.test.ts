@@ -1,28 +1,13 @@
 // No violation that axe knows, in every view, light and dark.
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { expect, test } from "vitest";
+import { violations as violationsOf } from "../violations.ts";
 import { begin, type DesignerPage } from "./designer.ts";
 
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-interface Violation {
-  id: string;
-  help: string;
-  nodes: { html: string }[];
-}
-
-async function violations({ page }: DesignerPage, view: string): Promise<string[]> {
+async function violations(designer: DesignerPage, view: string, colours: "light" | "dark"): Promise<string[]> {
   // A tooltip comes and goes with the pointer.
-  await page.mouse.move(800, 898);
-  await expect.poll(() => page.getByRole("tooltip").count()).toBe(0);
-  // Not by a script element: the page's content security policy allows none.
-  await page.evaluate(`if (!window.axe) { ${axe} }`);
-  const found = await page.evaluate(() => {
-    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: Violation[] }> } };
-    return axe.run().then((result) => result.violations);
-  });
-  return found.map(({ id, help, nodes }) => `${view}: ${id}: ${help}: ${nodes.map((node) => node.html).join(" ")}`);
+  await designer.page.mouse.move(800, 898);
+  await expect.poll(() => designer.page.getByRole("tooltip").count()).toBe(0);
+  return violationsOf(designer.page, view, colours);
 }
 
 for (const colours of ["light", "dark"] as const) {
@@ -31,14 +16,14 @@ for (const colours of ["light", "dark"] as const) {
     const { page } = designer;
     await page.emulateMedia({ colorScheme: colours });
     await page.locator(`[data-theme=${colours}]`).first().waitFor();
-    const found = await violations(designer, "start");
+    const found = await violations(designer, "start", colours);
     await page
       .getByRole("region", { name: "In this project" })
       .getByRole("button", { name: /forager/ })
       .click();
     await designer.on("");
     await page.locator(".react-flow__node").first().waitFor();
-    found.push(...(await violations(designer, "file")));
+    found.push(...(await violations(designer, "file", colours)));
     for (const [name, declaration] of [
       ["dataflow", "Wander"],
       ["states", "Forage"],
@@ -47,26 +32,26 @@ for (const colours of ["light", "dark"] as const) {
       ["society", "Foragers"],
     ] as const) {
       await designer.toDeclaration(declaration);
-      found.push(...(await violations(designer, name)));
+      found.push(...(await violations(designer, name, colours)));
       await page
         .locator(".react-flow__node")
         .first()
         .click({ position: { x: 60, y: 10 } });
-      found.push(...(await violations(designer, `${name}, one selected`)));
+      found.push(...(await violations(designer, `${name}, one selected`, colours)));
     }
     await designer.toDeclaration("Wander");
     await page.locator("body").press("Shift+d");
     await page.getByRole("dialog").waitFor();
-    found.push(...(await violations(designer, "compare with")));
+    found.push(...(await violations(designer, "compare with", colours)));
     await page.getByRole("dialog").getByRole("button", { name: "The saved file" }).click();
     await designer.setValue(designer.named("Noise"), "persistence", "6 s");
     await designer.named("Noise").getByText("persistence 12 s → 6 s").waitFor();
-    found.push(...(await violations(designer, "compared")));
+    found.push(...(await violations(designer, "compared", colours)));
     await designer.button("Stop comparing").click();
     if (!(await designer.text.isVisible())) await designer.button("Text").click();
     await designer.button("Problems").click();
     await designer.text.waitFor();
-    found.push(...(await violations(designer, "text and problems")));
+    found.push(...(await violations(designer, "text and problems", colours)));
     for (const [key, title] of [
       ["Control+k", "Search everything"],
       ["?", "Keyboard shortcuts"],
@@ -74,24 +59,24 @@ for (const colours of ["light", "dark"] as const) {
     ] as const) {
       await page.locator("body").press(key);
       await page.getByRole("dialog", { name: title }).waitFor();
-      found.push(...(await violations(designer, title)));
+      found.push(...(await violations(designer, title, colours)));
       await page.keyboard.press("Escape");
       await page.getByRole("dialog").waitFor({ state: "detached" });
     }
     await page.keyboard.press("Control+f");
     await page.getByRole("textbox", { name: "Find on this page" }).fill("a");
-    found.push(...(await violations(designer, "finding")));
+    found.push(...(await violations(designer, "finding", colours)));
     await page.keyboard.press("Escape");
     await designer.toDeclaration("Wander");
     await designer.canvas.press("Shift+F12");
     await page.getByRole("region", { name: "Uses of Wander" }).waitFor();
-    found.push(...(await violations(designer, "uses")));
+    found.push(...(await violations(designer, "uses", colours)));
     await designer.select(designer.named("Probe"));
     await page.keyboard.press("F2");
     const dialog = page.getByRole("dialog", { name: /^Rename/ });
     await dialog.getByRole("textbox", { name: "Name" }).fill("Other_Name");
     await dialog.getByText(/random numbers/).waitFor();
-    found.push(...(await violations(designer, "renaming")));
+    found.push(...(await violations(designer, "renaming", colours)));
     expect(found).toEqual([]);
   });
 }
@@ -105,29 +90,29 @@ for (const colours of ["light", "dark"] as const) {
     await designer.toDeclaration("Forage");
     await designer.run();
     await page.locator(".state.active").first().waitFor();
-    const found = await violations(designer, "running, states");
+    const found = await violations(designer, "running, states", colours);
     await designer.select(designer.node("Searching"));
-    found.push(...(await violations(designer, "running, a state selected")));
+    found.push(...(await violations(designer, "running, a state selected", colours)));
     await page.getByRole("button", { name: /^Transition 1 of Searching/ }).click();
-    found.push(...(await violations(designer, "running, a transition selected")));
+    found.push(...(await violations(designer, "running, a transition selected", colours)));
     await designer.details.getByRole("button", { name: "Break Searching → Acquiring" }).click();
     await designer.simulator.getByText("Paused", { exact: true }).waitFor();
     await designer.simulator.getByRole("alert").getByRole("button", { name: "Show" }).waitFor();
-    found.push(...(await violations(designer, "paused at a breakpoint")));
+    found.push(...(await violations(designer, "paused at a breakpoint", colours)));
     await designer.toDeclaration("Wander");
     await page.locator(".wire-label.live").first().waitFor();
     await designer.select(designer.named("Probe"));
     await designer.details.getByRole("radio", { name: "The robots, now" }).waitFor();
-    found.push(...(await violations(designer, "a node selected")));
+    found.push(...(await violations(designer, "a node selected", colours)));
     await designer.details.getByRole("button", { name: "Pin a probe" }).click();
     await designer.probes.locator(".live-arrow").first().waitFor();
-    found.push(...(await violations(designer, "a probe")));
+    found.push(...(await violations(designer, "a probe", colours)));
     await designer.button("Movement field of the selection").click();
     await designer.simulator.getByText("Movement field of", { exact: false }).waitFor();
-    found.push(...(await violations(designer, "movement field")));
+    found.push(...(await violations(designer, "movement field", colours)));
     await designer.button("What runs").click();
     await page.getByRole("dialog").waitFor();
-    found.push(...(await violations(designer, "what runs")));
+    found.push(...(await violations(designer, "what runs", colours)));
     expect(found).toEqual([]);
   });
 }
