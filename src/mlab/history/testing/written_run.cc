@@ -145,7 +145,7 @@ void add_robot(const run::MissionRun& run, const fleet::FleetRobot& robot, Sum& 
 void add_program(const fleet::FleetRobot& robot, Sum& out) {
   const robot::Workings workings = robot.workings();
   if (!workings) return;
-  for (const std::uint64_t value : simulated::testing::values_of(robot)) out << value;
+  simulated::testing::visit_values(robot, [&out](std::uint64_t word) { out << word; });
   if (workings.interventions == nullptr) return;
   for (const flow::Interventions::Held& held : workings.interventions->held())
     out << std::uint64_t{held.port};
