@@ -15,7 +15,7 @@ std::string_view style() {
 @media (prefers-color-scheme: dark) { :root { --back: #0d1117; --ink: #e6edf3; --faint: #9da7b1; --line: #30363d;
   --box: #161b22; --one: #6cb6ff; --two: #f0a35e; --good: #57ab5a; --bad: #ff7b72; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem; max-width: 75rem; background: var(--back); color: var(--ink);
+body { margin: 0 auto; padding: 1rem; max-width: 90rem; background: var(--back); color: var(--ink);
   font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.5rem; line-height: 1.25; margin: .5rem 0; }
 h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
@@ -50,6 +50,8 @@ th, td { padding: .3rem .6rem; text-align: right; white-space: nowrap; border-to
 th { font-weight: 600; }
 thead th { background: var(--box); }
 .left { text-align: left; }
+.wide th, .wide td { padding: .3rem .45rem; white-space: normal; vertical-align: top; }
+.wide .left { min-width: 12rem; overflow-wrap: break-word; }
 ol.causes { padding: 0; list-style: none; }
 ol.causes li { margin: .75rem 0; padding: .5rem .75rem; border: 1px solid var(--line); border-left: 4px solid var(--bad);
   border-radius: 6px; overflow-wrap: anywhere; }
@@ -65,6 +67,16 @@ dd { margin: 0; overflow-wrap: anywhere; }
   .row .figure { grid-row: 1; grid-column: 2; text-align: right; }
   .row svg, .row .marks { grid-column: 1 / -1; }
   .axis .label, .axis .figure { display: none; }
+}
+@media (max-width: 80rem) {
+  .wide, .wide caption, .wide tbody { display: block; }
+  .wide thead { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+  .wide tbody tr { display: grid; grid-template-columns: repeat(auto-fill, minmax(9rem, 1fr)); gap: .15rem .75rem;
+    padding: .5rem .6rem; border-top: 1px solid var(--line); }
+  .wide tbody th { grid-column: 1 / -1; overflow-wrap: anywhere; }
+  .wide tbody th, .wide td { display: block; min-width: 0; padding: 0; border: 0; text-align: left; }
+  .wide td::before { content: attr(data-head); display: block; color: var(--faint); font-size: .8125rem; }
+  .wide td:empty { display: none; }
 }
 @media print { .scroll { overflow: visible; } th, td { white-space: normal; } }
 )css";
