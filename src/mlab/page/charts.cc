@@ -177,7 +177,7 @@ std::string ways(const std::vector<Line>& lines, std::string_view said) {
 
 namespace {
 
-constexpr std::size_t kMostBeside = 7;  // columns that lie beside each other on any screen but a telephone's
+constexpr std::size_t kMostBeside = 6;  // columns that lie beside each other on any screen but a telephone's
 
 // Broken before what stands in parentheses and nowhere else: a number and its unit, or a range, stay
 // together.
@@ -188,11 +188,9 @@ std::string kept_together(std::string text) {
   return text;
 }
 
-// One of a body's row; `head` is what its column is called.
-std::string cell_of(const std::string& text, const std::string& head, bool is_left, bool is_wide) {
-  const std::string label = is_wide ? fmt::format(" data-head=\"{}\"", text::markup(head)) : "";
-  return fmt::format("<td{}{}>{}</td>", is_left ? R"( class="left")" : "", label,
-                     text::markup(is_wide && !is_left ? kept_together(text) : text));
+// What the column of a cell is called, for where its head is not to be seen.
+std::string named(const std::string& head) {
+  return fmt::format(" data-head=\"{}\"", text::markup(head));
 }
 
 }  // namespace
@@ -207,12 +205,14 @@ std::string table(std::string_view caption, const std::vector<std::vector<std::s
     out += i == 0 ? "<thead><tr>" : i == 1 ? "<tbody>\n<tr>" : "<tr>";
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
       const char* const side = k < left_columns ? R"( class="left")" : "";
+      const std::string& cell = rows[i][k];
       if (i == 0)
-        out += fmt::format(R"(<th scope="col"{}>{}</th>)", side, text::markup(rows[i][k]));
+        out += fmt::format(R"(<th scope="col"{}>{}</th>)", side, text::markup(cell));
       else if (k == 0)
-        out += fmt::format(R"(<th scope="row"{}>{}</th>)", side, text::markup(rows[i][k]));
+        out += fmt::format(R"(<th scope="row"{}{}>{}</th>)", side, named(rows[0][k]), text::markup(cell));
       else
-        out += cell_of(rows[i][k], rows[0][k], k < left_columns, is_wide);
+        out += fmt::format("<td{}{}>{}</td>", side, named(rows[0][k]),
+                           text::markup(k < left_columns ? cell : kept_together(cell)));
     }
     out += i == 0 ? "</tr></thead>\n" : "</tr>\n";
   }

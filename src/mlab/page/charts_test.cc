@@ -39,12 +39,13 @@ TEST(Charts, WaysHaveOneScaleAndYUpwards) {
   EXPECT_EQ(ways({}, "nothing"), "");
 }
 
-TEST(Charts, CellsOfAWideTableSayWhatTheyAre) {
-  const std::vector<std::string> head = {"run", "a", "b", "c", "d", "e", "f [m]"};
-  const std::vector<std::string> row = {"all runs", "1", "2", "3", "4", "5", "17 (1 to 30)"};
+TEST(Charts, CellsOfATableSayWhatTheyAre) {
+  const std::vector<std::string> head = {"run", "a", "b", "c", "d", "f [m]"};
+  const std::vector<std::string> row = {"all runs", "1", "2", "3", "4", "17 (1 to 30)"};
   const std::string narrow = table("Runs", {head, row}, 1);
   EXPECT_FALSE(has(narrow, "wide")) << narrow;
-  EXPECT_TRUE(has(narrow, "<td>17 (1 to 30)</td>")) << narrow;
+  EXPECT_TRUE(has(narrow, "<th scope=\"row\" class=\"left\" data-head=\"run\">all runs</th>")) << narrow;
+  EXPECT_TRUE(has(narrow, "<td data-head=\"f [m]\">17 (1\u00a0to\u00a030)</td>")) << narrow;
   std::vector<std::string> wide_head = head;
   wide_head.insert(wide_head.begin() + 1, "\"kind\"");
   std::vector<std::string> wide_row = row;
@@ -52,7 +53,6 @@ TEST(Charts, CellsOfAWideTableSayWhatTheyAre) {
   const std::string wide = table("Runs", {wide_head, wide_row}, 2);
   EXPECT_TRUE(has(wide, "<table class=\"wide\">")) << wide;
   EXPECT_TRUE(has(wide, "<td class=\"left\" data-head=\"&quot;kind&quot;\">a b</td>")) << wide;
-  EXPECT_TRUE(has(wide, "<td data-head=\"f [m]\">17 (1\u00a0to\u00a030)</td>")) << wide;
 }
 
 TEST(Charts, WhatIsNotOursIsNoMarkup) {
