@@ -321,7 +321,12 @@ TEST_F(Batches, RefuseWhatTheyCanNotDo) {
   EXPECT_FALSE(has(told("m.mdl --set base_velocity=2,fast"), "no robot of the mission")) << "they have one";
   EXPECT_TRUE(has(told("m.mdl --set base_velocity=2 --set base_velocity=3"), "`base_velocity` is set twice"));
   EXPECT_TRUE(has(told("m.mdl --set OBSTACLE-COVERAGE=1..90"), "goes from 0 to 30"));
-  EXPECT_TRUE(has(told("m.mdl --start-time soon"), "expected YYYY-MM-DD"));
+  EXPECT_TRUE(has(told("m.mdl --start-time soon"), "--start-time:1:1: error: expected YYYY-MM-DD"));
+  write("late.toml", "mission = \"m.mdl\"\nstart-time = \"2026-02-30 08:00\"\n");
+  EXPECT_TRUE(has(told("late.toml"), "late.toml:2:15: error: expected YYYY-MM-DD"));
+  EXPECT_TRUE(has(mlab("check late.toml").err, "late.toml:2:15: error: expected YYYY-MM-DD"));
+  write("none.toml", "runs = 2\n");
+  EXPECT_TRUE(has(told("none.toml"), "none.toml:1:1: error: no mission is named"));
   EXPECT_TRUE(has(told("-"), "expected a file"));
   EXPECT_EQ(text_of(folder_ / "m.mdl"), kMission);
 }

@@ -1,5 +1,6 @@
 // Recordings of runs, as who types the commands meets them.
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <random>
@@ -39,6 +40,32 @@ TEST_F(RecordingCommand, AreComputedAgainWithoutTheFilesThatTheyWereMadeFrom) {
   };
   EXPECT_EQ(without_performance(text_of(folder_ / "then.json")),
             without_performance(text_of(folder_ / "now.json")));
+}
+
+// It was to go on for so long, and so it is done: nobody interrupted it.
+TEST_F(RecordingCommand, EndAsTheRunDid) {
+  const Outcome run = mlab(
+      "run mission.mdl --headless --for 2 --record run.mcap --report then.json --start-time '2026-03-01 "
+      "08:30'");
+  ASSERT_EQ(run.status, 0) << run.out << run.err;
+  const Outcome again = mlab("replay run.mcap --headless --report now.json");
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_TRUE(has(again.out, "done after 2.0 s")) << again.out;
+  const auto line_with = [this](const std::string& file, const std::string& key) {
+    const std::string all = text_of(folder_ / file);
+    const std::size_t begin = std::min(all.find("\"" + key + "\""), all.size());
+    return all.substr(begin, all.find('\n', begin) - begin);
+  };
+  EXPECT_TRUE(has(line_with("now.json", "mission_clock_start"), "2026-03-01T08:30:00"));
+  for (const char* key : {"outcome", "mission_clock_start", "started_at"})
+    EXPECT_EQ(line_with("now.json", key), line_with("then.json", key));
+}
+
+TEST_F(RecordingCommand, ThatCantBeReportedIsToldByWhoReplaysIt) {
+  record();
+  const Outcome full = mlab("replay run.mcap --headless --report /dev/full");
+  EXPECT_EQ(full.status, 1);
+  EXPECT_TRUE(has(full.err, "mlab replay: the report /dev/full could not be written: ")) << full.err;
 }
 
 TEST_F(RecordingCommand, GiveTheValueOfAnyPortInAnyCycle) {

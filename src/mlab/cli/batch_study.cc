@@ -9,6 +9,7 @@
 #include "mlab/cli/files.h"
 #include "mlab/cli/permission.h"
 #include "mlab/study/study_file.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace {
@@ -26,6 +27,16 @@ run::RunSettings manner_of(const study::Definition& definition) {
 }
 
 }  // namespace
+
+std::optional<text::Diagnostic> wrong_start_time(const study::Definition& definition) {
+  if (definition.start_time.empty() || parse_start_time(definition.start_time)) return std::nullopt;
+  text::Diagnostic out;
+  out.kind = "expected";
+  out.message = fmt::format("expected YYYY-MM-DD HH:MM or YYYY-MM-DD HH:MM:SS, found `{}`",
+                            text::shown(definition.start_time, 100));
+  out.place = definition.start_time_place;
+  return out;
+}
 
 Scenes scenes_of(const study::Definition& definition, const study::Plan& plan,
                  const cell::Permission& permission, const robot_host::Limits& limits,
@@ -64,10 +75,7 @@ void check_study(const text::SourcePtr& source, bool without_cell, text::Diagnos
     sink.report(std::move(*problem));
     return;
   }
-  if (!definition.start_time.empty() && !parse_start_time(definition.start_time))
-    sink.error("expected", {source, {0, 0}},
-               fmt::format("start-time {}: expected YYYY-MM-DD HH:MM or YYYY-MM-DD HH:MM:SS",
-                           definition.start_time));
+  if (auto problem = wrong_start_time(definition)) sink.report(std::move(*problem));
   const study::Plan plan(definition);
   scenes_of(definition, plan, permission_to_check(true, without_cell), {}, sink);
 }

@@ -26,6 +26,9 @@ Scenes scenes_of(const study::Definition& definition, const study::Plan& plan,
                  const cell::Permission& permission, const robot_host::Limits& limits,
                  text::Diagnostics& sink);
 
+/// Where the mission's clock is to begin at no time.
+std::optional<text::Diagnostic> wrong_start_time(const study::Definition& definition);
+
 /// All that is wrong with the definition of a batch, and with the mission under its settings.
 void check_study(const text::SourcePtr& source, bool without_cell, text::Diagnostics& sink);
 

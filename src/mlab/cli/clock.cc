@@ -10,10 +10,14 @@
 namespace mlab::cli {
 
 MissionClock wall_clock() {
-  const std::time_t now = std::time(nullptr);
+  return wall_clock(static_cast<double>(std::time(nullptr)));
+}
+
+MissionClock wall_clock(double epoch_seconds) {
+  const auto whole = static_cast<std::time_t>(std::floor(epoch_seconds));
   std::tm local{};
-  localtime_r(&now, &local);
-  return {static_cast<double>(now), static_cast<double>(local.tm_gmtoff)};
+  localtime_r(&whole, &local);
+  return {epoch_seconds, static_cast<double>(local.tm_gmtoff)};
 }
 
 std::optional<MissionClock> parse_start_time(const std::string& text) {

@@ -13,6 +13,9 @@ struct MissionClock {
 
 /// The wall clock, in the machine's time zone.
 MissionClock wall_clock();
+/// What it showed, or will show, at a time.
+/// @param epoch_seconds  of the years up to 9999
+MissionClock wall_clock(double epoch_seconds);
 /// `2026-03-01 08:30`, `2026-03-01T08:30:15`; in no particular time zone (offset 0). Nothing where the text
 /// is no time.
 std::optional<MissionClock> parse_start_time(const std::string& text);

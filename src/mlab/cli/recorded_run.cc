@@ -1,5 +1,6 @@
 #include "mlab/cli/recorded_run.h"
 
+#include <optional>
 #include <utility>
 
 #include <fmt/core.h>
@@ -66,6 +67,14 @@ std::unique_ptr<history::Replay> replay_of(const std::shared_ptr<const history::
       history, {permission_to_replay(), include_root(), kVersion, options.limits, options.threads}, problems);
   if (!out) tell(problems);
   return out;
+}
+
+run::RunEnd end_of(const history::Replay& replay) {
+  const std::optional<history::EndEntry>& then = replay.history().end();
+  for (const run::RunEnd end : {run::RunEnd::kTimeIsUp, run::RunEnd::kByItself}) {
+    if (then && replay.is_at_end() && run::outcome_name(replay.run(), end) == then->outcome) return end;
+  }
+  return run::RunEnd::kInterrupted;
 }
 
 std::string outcome_of(const history::Replay& replay) {

@@ -6,6 +6,7 @@
 
 #include "mlab/cli/commands.h"
 #include "mlab/history/replay.h"
+#include "mlab/run/report.h"
 
 namespace mlab::cli {
 
@@ -31,6 +32,10 @@ std::unique_ptr<history::Replay> replay_of(const std::shared_ptr<const history::
 
 /// That it was recorded by another program, or on another machine: sentences.
 std::vector<std::string> remarks_on(const wire::HistoryBeginning& beginning);
+
+/// How a run that was computed again up to its end came to that: what outcome was recorded tells it apart
+/// from one that somebody ended. Where nothing was recorded of it, somebody did.
+run::RunEnd end_of(const history::Replay& replay);
 
 /// What became of a run that was computed again, as a line; what is not as it was comes first.
 std::string outcome_of(const history::Replay& replay);

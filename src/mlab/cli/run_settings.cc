@@ -208,9 +208,9 @@ int usage_error(const std::string& message) {
   return kBadInput;
 }
 
-bool deliver(const char* what, const std::string& file, const std::string& text) {
+bool deliver(const char* command, const char* what, const std::string& file, const std::string& text) {
   if (!write_file(file, text, was_interrupted)) {
-    fmt::print(stderr, "mlab run: the {} {} could not be written{}\n", what, file, why_not_written());
+    fmt::print(stderr, "{}: the {} {} could not be written{}\n", command, what, file, why_not_written());
     return false;
   }
   fmt::print("{}: {}\n", what, file);

@@ -42,6 +42,7 @@ std::optional<std::vector<mdl::Setting>> settings_of(const RunOptions& options);
 int usage_error(const std::string& message);
 
 /// Writes what a run has left behind, and says where. False where that fails, which is told as well.
-bool deliver(const char* what, const std::string& file, const std::string& text);
+/// @param command  that does so: `mlab run`
+bool deliver(const char* command, const char* what, const std::string& file, const std::string& text);
 
 }  // namespace mlab::cli

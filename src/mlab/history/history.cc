@@ -12,10 +12,19 @@
 namespace mlab::history {
 namespace {
 
+// Something that a clock can show: up to the year 9999, and as long before 1970.
+bool is_of_clock(double seconds) {
+  return std::abs(seconds) <= 253'402'300'799.0;
+}
+
 bool are_numbers(const wire::HistoryExecutive& options) {
-  return std::isfinite(options.patience()) && std::isfinite(options.epoch_seconds()) &&
-         std::isfinite(options.zone_offset()) && std::isfinite(options.bound_length()) &&
+  return std::isfinite(options.patience()) && std::isfinite(options.bound_length()) &&
          std::isfinite(options.spacing()) && std::isfinite(options.phase_line_ahead());
+}
+
+bool are_of_clocks(const wire::HistoryBeginning& beginning) {
+  return is_of_clock(beginning.started_at()) && is_of_clock(beginning.executive().epoch_seconds()) &&
+         std::abs(beginning.executive().zone_offset()) <= 86'400.0;
 }
 
 bool are_numbers(const wire::HistoryInput& input) {
@@ -56,6 +65,7 @@ std::optional<std::string> History::add_body(const wire::HistoryEntry& entry) {
       // where robots were can be shown all the same.
       if (beginning.format() == kFormat) {
         if (!are_numbers(beginning.executive())) return "a setting is no number";
+        if (!are_of_clocks(beginning)) return "it begins at a time that no clock shows";
         if (beginning.environment() != 0 && !text(beginning.environment()))
           return fmt::format("text {} is missing", beginning.environment());
         if (auto problem = check(beginning.mission())) return problem;

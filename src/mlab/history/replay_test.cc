@@ -1,5 +1,6 @@
 #include "mlab/history/replay.h"
 
+#include <limits>
 #include <random>
 #include <string>
 
@@ -179,6 +180,29 @@ TEST(History, RefusesWhatNoRunCanHaveWritten) {
     ASSERT_FALSE(backwards.add(entry));
   }
   EXPECT_NE(backwards.add(entries.front()).value_or(""), "");
+}
+
+TEST(History, RefusesClocksThatShowNoTime) {
+  WrittenRun written("demo_c/demo_c.mdl", 1);
+  written.end();
+  const auto problem_where = [&](auto change) {
+    History history;
+    for (wire::HistoryEntry entry : written.entries()) {
+      if (entry.has_beginning()) change(*entry.mutable_beginning());
+      if (auto problem = history.add(entry)) return *problem;
+    }
+    return std::string("none");
+  };
+  using Beginning = wire::HistoryBeginning;
+  const std::string no_time = "it begins at a time that no clock shows";
+  EXPECT_EQ(problem_where([](Beginning&) {}), "none");
+  for (const double strange : {1e300, -1e300, 1e12, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(problem_where([&](Beginning& begun) { begun.set_started_at(strange); }), no_time);
+    EXPECT_EQ(problem_where([&](Beginning& begun) { begun.mutable_executive()->set_epoch_seconds(strange); }),
+              no_time);
+    EXPECT_EQ(problem_where([&](Beginning& begun) { begun.mutable_executive()->set_zone_offset(strange); }),
+              no_time);
+  }
 }
 
 }  // namespace

@@ -175,22 +175,44 @@ std::string ways(const std::vector<Line>& lines, std::string_view said) {
   return out + "</svg>\n";
 }
 
+namespace {
+
+constexpr std::size_t kMostBeside = 6;  // columns that lie beside each other on any screen but a telephone's
+
+// Broken before what stands in parentheses and nowhere else: a number and its unit, or a range, stay
+// together.
+std::string kept_together(std::string text) {
+  for (std::size_t at = 0; (at = text.find(' ', at)) != std::string::npos; ++at) {
+    if (at + 1 < text.size() && text[at + 1] != '(') text.replace(at, 1, "\u00a0");
+  }
+  return text;
+}
+
+// What the column of a cell is called, for where its head is not to be seen.
+std::string named(const std::string& head) {
+  return fmt::format(" data-head=\"{}\"", text::markup(head));
+}
+
+}  // namespace
+
 std::string table(std::string_view caption, const std::vector<std::vector<std::string>>& rows,
                   std::size_t left_columns) {
+  const bool is_wide = rows.front().size() > kMostBeside;
   std::string out = fmt::format(R"(<div class="scroll" tabindex="0" role="region" )"
-                                "aria-label=\"{0}\"><table><caption>{0}</caption>\n",
-                                text::markup(caption));
+                                "aria-label=\"{0}\"><table{1}><caption>{0}</caption>\n",
+                                text::markup(caption), is_wide ? " class=\"wide\"" : "");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     out += i == 0 ? "<thead><tr>" : i == 1 ? "<tbody>\n<tr>" : "<tr>";
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
       const char* const side = k < left_columns ? R"( class="left")" : "";
-      const std::string cell = text::markup(rows[i][k]);
+      const std::string& cell = rows[i][k];
       if (i == 0)
-        out += fmt::format(R"(<th scope="col"{}>{}</th>)", side, cell);
+        out += fmt::format(R"(<th scope="col"{}>{}</th>)", side, text::markup(cell));
       else if (k == 0)
-        out += fmt::format(R"(<th scope="row"{}>{}</th>)", side, cell);
+        out += fmt::format(R"(<th scope="row"{}{}>{}</th>)", side, named(rows[0][k]), text::markup(cell));
       else
-        out += fmt::format("<td{}>{}</td>", side, cell);
+        out += fmt::format("<td{}{}>{}</td>", side, named(rows[0][k]),
+                           text::markup(k < left_columns ? cell : kept_together(cell)));
     }
     out += i == 0 ? "</tr></thead>\n" : "</tr>\n";
   }

@@ -68,7 +68,9 @@ std::string line_row(const LineRow& row, const Axis& axis);
 /// @param said  what there is to see, for who doesn't
 std::string ways(const std::vector<Line>& lines, std::string_view said);
 
-/// The rows of a table, the first one its head. What is longer than the page is scrolled by itself.
+/// The rows of a table, the first one its head. On a narrow screen, and where there are many columns also
+/// on one that is not wide, each row stands by itself, with a word for each of its cells. What is longer than
+/// the page even so is scrolled by itself.
 std::string table(std::string_view caption, const std::vector<std::vector<std::string>>& rows,
                   std::size_t left_columns);
 

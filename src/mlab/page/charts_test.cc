@@ -39,6 +39,22 @@ TEST(Charts, WaysHaveOneScaleAndYUpwards) {
   EXPECT_EQ(ways({}, "nothing"), "");
 }
 
+TEST(Charts, CellsOfATableSayWhatTheyAre) {
+  const std::vector<std::string> head = {"run", "a", "b", "c", "d", "f [m]"};
+  const std::vector<std::string> row = {"all runs", "1", "2", "3", "4", "17 (1 to 30)"};
+  const std::string narrow = table("Runs", {head, row}, 1);
+  EXPECT_FALSE(has(narrow, "wide")) << narrow;
+  EXPECT_TRUE(has(narrow, "<th scope=\"row\" class=\"left\" data-head=\"run\">all runs</th>")) << narrow;
+  EXPECT_TRUE(has(narrow, "<td data-head=\"f [m]\">17 (1\u00a0to\u00a030)</td>")) << narrow;
+  std::vector<std::string> wide_head = head;
+  wide_head.insert(wide_head.begin() + 1, "\"kind\"");
+  std::vector<std::string> wide_row = row;
+  wide_row.insert(wide_row.begin() + 1, "a b");
+  const std::string wide = table("Runs", {wide_head, wide_row}, 2);
+  EXPECT_TRUE(has(wide, "<table class=\"wide\">")) << wide;
+  EXPECT_TRUE(has(wide, "<td class=\"left\" data-head=\"&quot;kind&quot;\">a b</td>")) << wide;
+}
+
 TEST(Charts, WhatIsNotOursIsNoMarkup) {
   const std::string page = document("<script>", table("a\"b", {{"<x>"}, {"&"}}, 1));
   EXPECT_FALSE(has(page, "<script>"));

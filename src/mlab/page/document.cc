@@ -1,5 +1,8 @@
 #include "mlab/page/document.h"
 
+#include <string>
+#include <string_view>
+
 #include <fmt/core.h>
 
 #include "mlab/text/escape.h"
@@ -8,14 +11,13 @@ namespace mlab::page {
 namespace {
 
 // What the page looks like, light and dark.
-std::string_view style() {
-  return R"css(
+constexpr std::string_view kStyle = R"css(
 :root { color-scheme: light dark; --back: #fff; --ink: #1b1f24; --faint: #57606a; --line: #d0d7de; --box: #f6f8fa;
   --one: #0b62b8; --two: #a04800; --good: #116329; --bad: #b3261e; }
 @media (prefers-color-scheme: dark) { :root { --back: #0d1117; --ink: #e6edf3; --faint: #9da7b1; --line: #30363d;
   --box: #161b22; --one: #6cb6ff; --two: #f0a35e; --good: #57ab5a; --bad: #ff7b72; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem; max-width: 75rem; background: var(--back); color: var(--ink);
+body { margin: 0 auto; padding: 1rem; max-width: 90rem; background: var(--back); color: var(--ink);
   font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.5rem; line-height: 1.25; margin: .5rem 0; }
 h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
@@ -46,10 +48,12 @@ path { vector-effect: non-scaling-stroke; fill: none; }
 .scroll:focus-visible { outline: 2px solid var(--one); }
 table { border-collapse: collapse; width: 100%; font-size: .875rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; padding: .4rem .6rem; color: var(--faint); }
-th, td { padding: .3rem .6rem; text-align: right; white-space: nowrap; border-top: 1px solid var(--line); }
+th, td { padding: .3rem .6rem; text-align: right; vertical-align: top; border-top: 1px solid var(--line); }
 th { font-weight: 600; }
 thead th { background: var(--box); }
-.left { text-align: left; }
+.left { text-align: left; overflow-wrap: break-word; }
+.wide th, .wide td { padding: .3rem .45rem; }
+.wide .left { min-width: 12rem; }
 ol.causes { padding: 0; list-style: none; }
 ol.causes li { margin: .75rem 0; padding: .5rem .75rem; border: 1px solid var(--line); border-left: 4px solid var(--bad);
   border-radius: 6px; overflow-wrap: anywhere; }
@@ -66,8 +70,25 @@ dd { margin: 0; overflow-wrap: anywhere; }
   .row svg, .row .marks { grid-column: 1 / -1; }
   .axis .label, .axis .figure { display: none; }
 }
-@media print { .scroll { overflow: visible; } th, td { white-space: normal; } }
+@media print { .scroll { overflow: visible; } }
 )css";
+
+// Tables whose rows stand by themselves on screens up to a width, with a word for each of their cells.
+std::string stacked(std::string_view width, std::string_view tables) {
+  return fmt::format(R"css(
+@media screen and (max-width: {0}) {{
+  {1}, {1} caption, {1} tbody {{ display: block; }}
+  {1} thead {{ position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }}
+  {1} tbody tr {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(9rem, 1fr)); gap: .15rem .75rem;
+    padding: .5rem .6rem; border-top: 1px solid var(--line); }}
+  {1} tbody th {{ grid-column: 1 / -1; overflow-wrap: anywhere; }}
+  {1} tbody th, {1} td {{ display: block; min-width: 0; padding: 0; border: 0; text-align: left; }}
+  {1} td::before {{ content: attr(data-head); display: block; color: var(--faint); font-size: .8125rem; }}
+  {1} tbody th::before {{ content: attr(data-head) " "; color: var(--faint); font-weight: 400; }}
+  {1} td:empty {{ display: none; }}
+}}
+)css",
+                     width, tables);
 }
 
 }  // namespace
@@ -91,7 +112,7 @@ std::string document(std::string_view title, std::string_view body) {
       R"(content="default-src 'none'; style-src )"
       "'unsafe-inline'\">\n<title>{0}</title>\n<style>{1}</style>\n</head>\n"
       "<body>\n<main>\n<h1>{0}</h1>\n{2}</main>\n</body>\n</html>\n",
-      text::markup(title), style(), body);
+      text::markup(title), std::string(kStyle) + stacked("80rem", ".wide") + stacked("36rem", "table"), body);
 }
 
 }  // namespace mlab::page

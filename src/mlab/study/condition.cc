@@ -27,12 +27,17 @@ struct Token {
 
 namespace {
 
-bool is_of_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
-}
+constexpr std::string_view kPlusMinus = "\u00b1";
 
 // The longest first.
-constexpr std::string_view kSigns[] = {"==", "!=", "<=", ">=", "+-", "\u00b1", "<", ">", "(", ")", "@"};
+constexpr std::string_view kSigns[] = {"==", "!=", "<=", ">=", "+-", kPlusMinus, "<", ">", "(", ")", "@"};
+
+// Letters beyond ASCII as well: what is no name is told as a whole.
+bool begins_in_word(std::string_view rest) {
+  const char c = rest.front();
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9') ||
+         ((static_cast<unsigned char>(c) & 0x80U) != 0 && !rest.starts_with(kPlusMinus));
+}
 
 }  // namespace
 
@@ -86,7 +91,7 @@ class Tokens {
       return;
     }
     std::size_t size = 0;
-    while (size < rest.size() && is_of_word(rest[size])) ++size;
+    while (size < rest.size() && begins_in_word(rest.substr(size))) ++size;
     now_ = {size > 0 ? Token::Kind::kWord : Token::Kind::kSign,
             rest.substr(0, std::max<std::size_t>(size, 1)), 0.0, at};
   }
@@ -328,7 +333,7 @@ text::Result<Until> Until::parse(const Written& written) {
     return out;
   }
   if (!tokens.take("success")) return std::unexpected(tokens.expected("`decided` or `success`"));
-  if (!tokens.take("+-") && !tokens.take("\u00b1")) return std::unexpected(tokens.expected("`+-`"));
+  if (!tokens.take("+-") && !tokens.take(kPlusMinus)) return std::unexpected(tokens.expected("`+-`"));
   const Token width = tokens.now();
   if (width.kind != Token::Kind::kNumber || !(width.value > 0.0) || width.value >= 0.5)
     return std::unexpected(tokens.expected("a share above 0 and below 0.5"));

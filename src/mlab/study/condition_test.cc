@@ -57,6 +57,14 @@ TEST(Condition, NamesThePartThatIsNotFulfilled) {
   EXPECT_EQ(condition->unfulfilled(row_with(300.0, 0.0)), "duration<9");
 }
 
+TEST(Condition, ShowsWordsBeyondAsciiAsAWhole) {
+  EXPECT_NE(problem_in("dürration < 3").find("1:1: error: expected a number of the run, found `dürration`"),
+            std::string::npos)
+      << problem_in("dürration < 3");
+  EXPECT_NE(problem_in("outcome == é").find("found `é`"), std::string::npos) << problem_in("outcome == é");
+  EXPECT_TRUE(Until::parse(written_in_option("--until", "success±0.05")));
+}
+
 TEST(Condition, SaysWhatIsExpectedWhere) {
   EXPECT_NE(problem_in("durtion < 3").find("did you mean `duration`?"), std::string::npos);
   EXPECT_NE(problem_in("duration << 3").find("--success:1:11: error: expected a number, found `<`"),

@@ -155,6 +155,7 @@ std::optional<text::Diagnostic> take(Definition& d, std::string_view field, cons
   if (field == "confidence") return take_confidence(value, d.confidence);
   if (field == "start-time") {
     d.start_time = value.text;
+    d.start_time_place = value.place;
     return std::nullopt;
   }
   if (field == "set")

@@ -24,6 +24,7 @@ struct Definition {
       false;  ///< the first values of all lists together, then the second ones; else each with each
   bool is_latin = false;           ///< drawn values fill a Latin hypercube; else each by itself
   std::string start_time;          ///< as --start-time; empty: now
+  text::Place start_time_place;    ///< where it was written
   double patience = 600.0;         ///< [s]
   std::optional<double> limit;     ///< as RunOptions
   std::optional<double> duration;  ///< likewise

@@ -1,7 +1,10 @@
 #include "mlab/study/dimension.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,23 +91,41 @@ std::optional<Range> range_in(std::string_view text) {
   return Range{*from, *to, *step};
 }
 
-// A tenth is added up to 0.3, not to 0.30000000000000004.
-std::string rounded(double value) {
-  return shortest(number_in(fmt::format("{:.12g}", value)).value_or(value));
+// How many decimals a number has where it is written out: 2 of 0.25, none of 300.
+int decimals_of(double value) {
+  char text[32];  // a double takes up to 24
+  const auto written = std::to_chars(std::begin(text), std::end(text), value, std::chars_format::scientific);
+  const std::string_view all(text, static_cast<std::size_t>(written.ptr - text));
+  const std::size_t e = all.find('e');
+  const std::size_t point = all.find('.');
+  const auto digits = point < e ? static_cast<int>(e - point) - 1 : 0;
+  const std::string_view exponent = all.substr(e + (all[e + 1] == '+' ? 2 : 1));
+  int power = 0;
+  std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+  return std::max(0, digits - power);
+}
+
+// A tenth is added up to 0.3, not to 0.30000000000000004; and three of them to -0.3 to 0, not to 5.6e-17.
+std::string rounded(double value, int decimals) {
+  return shortest(number_in(fmt::format("{:.{}f}", value, decimals)).value_or(value) + 0.0);
 }
 
 text::Result<std::vector<Written>> values_of(const Range& range, const Written& written) {
-  const double steps = (range.to - range.from) / range.step;
-  if (!std::isfinite(steps) || steps < 0.0)
+  const bool leads_there = range.to == range.from || (range.to > range.from) == (range.step > 0.0);
+  if (range.step == 0.0 || !leads_there)
     return wrong("empty-range", written.place,
                  fmt::format("steps of {} don't lead from {} to {}", range.step, range.from, range.to),
                  "a range is FROM:TO:STEP");
-  if (steps >= static_cast<double>(kMostValues))
+  // Halves: what lies between two numbers may be more than a number can be.
+  const double steps = (range.to / 2.0 - range.from / 2.0) / range.step * 2.0;
+  if (!(steps < static_cast<double>(kMostValues)))
     return wrong("too-many-values", written.place,
                  fmt::format("the range has more than {} values", kMostValues));
+  const int decimals = std::max(decimals_of(range.from), decimals_of(range.step));
   std::vector<Written> out;
   for (std::size_t i = 0; i <= static_cast<std::size_t>(steps + 1e-9); ++i)
-    out.push_back({rounded(range.from + static_cast<double>(i) * range.step), written.place});
+    out.push_back(
+        {rounded(std::fma(static_cast<double>(i), range.step, range.from), decimals), written.place});
   return out;
 }
 

@@ -37,7 +37,20 @@ TEST(Dimension, IsARange) {
   EXPECT_EQ(values("at=12:30"), (Texts{"12:30"}));
   EXPECT_NE(problem_with("v=1:5:-1").find("steps of -1 don't lead from 1 to 5"), std::string::npos);
   EXPECT_NE(problem_with("v=1:5:0").find("empty-range"), std::string::npos);
-  EXPECT_NE(problem_with("v=0:1e9:1").find("more than 10000 values"), std::string::npos);
+  for (const char* many : {"v=0:1e9:1", "v=1:1e300:1e-300", "v=-1e308:1e308:1"})
+    EXPECT_NE(problem_with(many).find("more than 10000 values"), std::string::npos) << problem_with(many);
+}
+
+TEST(Dimension, HasTheDecimalsOfItsRange) {
+  EXPECT_EQ(values("v=-0.3:0.3:0.1"), (Texts{"-0.3", "-0.2", "-0.1", "0", "0.1", "0.2", "0.3"}));
+  EXPECT_EQ(values("v=0.3:-0.1:-0.1"), (Texts{"0.3", "0.2", "0.1", "0", "-0.1"}));
+  EXPECT_EQ(values("v=9007199254740000:9007199254740002:1"),
+            (Texts{"9007199254740000", "9007199254740001", "9007199254740002"}));
+  EXPECT_EQ(values("v=1.0000000000001:1.0000000000003:1e-13"),
+            (Texts{"1.0000000000001", "1.0000000000002", "1.0000000000003"}));
+  EXPECT_EQ(values("v=0:2.5e-9:1.25e-9"), (Texts{"0", "1.25e-09", "2.5e-09"}));
+  EXPECT_EQ(values("v=-1e308:1e308:1e308"), (Texts{"-1e+308", "0", "1e+308"}));
+  EXPECT_EQ(values("v=3:3:1e-300"), (Texts{"3"}));
 }
 
 TEST(Dimension, IsDrawnBetweenTwoNumbers) {

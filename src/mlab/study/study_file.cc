@@ -72,15 +72,15 @@ class StudyReader {
         sink_(sink) {}
 
   void read(const toml::table& all) {
-    for (const auto& [key, node] : all) {
+    for (const auto& [key, node] : in_order(all)) {
       const auto known =
-          std::ranges::find(fields(), std::string_view(key.str()), [](const Field& f) { return f.name; });
-      if (key.str() == "set") {
-        read_values(node);
+          std::ranges::find(fields(), std::string_view(key->str()), [](const Field& f) { return f.name; });
+      if (key->str() == "set") {
+        read_values(*node);
       } else if (known != fields().end()) {
-        read_field(*known, node);
+        read_field(*known, *node);
       } else {
-        tell_unknown(key);
+        tell_unknown(*key);
       }
     }
   }
@@ -91,6 +91,17 @@ class StudyReader {
   }
 
  private:
+  // As they stand there: toml++ keeps them by their names.
+  static std::vector<std::pair<const toml::key*, const toml::node*>> in_order(const toml::table& table) {
+    std::vector<std::pair<const toml::key*, const toml::node*>> out;
+    for (const auto& [key, node] : table) out.emplace_back(&key, &node);
+    std::ranges::sort(out, {}, [](const auto& one) {
+      const toml::source_position begin = one.first->source().begin;
+      return std::pair(begin.line, begin.column);
+    });
+    return out;
+  }
+
   void tell_unknown(const toml::key& key) {
     std::vector<std::string> names = {"set"};
     for (const Field& field : fields()) names.emplace_back(field.name);
@@ -145,17 +156,17 @@ class StudyReader {
       sink_.error("expected", place_of(node.source()), "expected a table of values: [set]");
       return;
     }
-    // In the order in which they stand there: the first one's values change last.
-    std::vector<std::pair<Written, const toml::node*>> ordered;
-    for (const auto& [key, value] : *all)
-      ordered.emplace_back(Written{std::string(key.str()), place_of(key.source())}, &value);
-    std::ranges::sort(ordered, {}, [](const auto& one) { return one.first.place.span.begin; });
-    for (const auto& [name, value] : ordered) read_dimension(name, *value);
+    // The first one's values change last.
+    for (const auto& [key, value] : in_order(*all))
+      read_dimension({std::string(key->str()), place_of(key->source())}, *value);
   }
 
   void read_dimension(const Written& name, const toml::node& node) {
-    const toml::array* list = node.as_array();
-    if (list != nullptr && !list->empty()) {
+    if (const toml::array* const list = node.as_array()) {
+      if (list->empty()) {
+        sink_.error("expected", place_of(node.source()), "expected values, and the list is empty");
+        return;
+      }
       Dimension out{name, {}, 0.0, 0.0};
       for (const toml::node& one : *list) {
         if (auto value = scalar(one)) out.values.push_back(std::move(*value));

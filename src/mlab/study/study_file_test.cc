@@ -93,6 +93,12 @@ TEST(StudyFile, SaysWhatIsWrongWithLineAndColumn) {
       << told("[set]\nv = \"1:5:-1\"\n");
   EXPECT_NE(told("runs = [1, 2]\n").find("expected a text or a number"), std::string::npos);
   EXPECT_NE(told("set = 3\n").find("expected a table of values"), std::string::npos);
+  EXPECT_NE(told("[set]\nv = []\n").find("study.toml:2:5: error: expected values, and the list is empty"),
+            std::string::npos)
+      << told("[set]\nv = []\n");
+  const std::string ordered = told("runs = 0\ncombine = \"all\"\nagain = 1\n");
+  EXPECT_LT(ordered.find("study.toml:1:"), ordered.find("study.toml:2:")) << ordered;
+  EXPECT_LT(ordered.find("study.toml:2:"), ordered.find("study.toml:3:")) << ordered;
 }
 
 TEST(StudyFile, IsTomlOrSaysWhereItIsNot) {

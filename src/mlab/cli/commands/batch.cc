@@ -52,11 +52,14 @@ void give_way(study::Definition& of_file, const BatchOptions& options) {
 std::optional<study::Definition> definition_of(const BatchOptions& options) {
   study::Definition out;
   text::Diagnostics sink;
+  text::SourcePtr source;  // null: there is no file but the mission's
   if (study::is_study_file(options.file)) {
-    if (const auto source = text::read_source(options.file))
-      study::read_study(*source, out, sink);
-    else
-      sink.report(source.error());
+    if (auto read = text::read_source(options.file)) {
+      source = *std::move(read);
+      study::read_study(source, out, sink);
+    } else {
+      sink.report(read.error());
+    }
   } else if (auto problem = study::take(out, "mission", study::written_in_option("MISSION", options.file))) {
     sink.report(std::move(*problem));
   }
@@ -66,7 +69,10 @@ std::optional<study::Definition> definition_of(const BatchOptions& options) {
       sink.report(std::move(*problem));
   }
   if (!sink.has_errors()) {
-    if (auto problem = study::settle(out)) sink.report(std::move(*problem));
+    if (auto problem = study::settle(out)) {
+      if (!problem->place.source) problem->place = {source, {0, 0}};
+      sink.report(std::move(*problem));
+    }
   }
   tell(sink);
   if (sink.has_errors()) return std::nullopt;
@@ -83,14 +89,12 @@ std::string results_of(const study::Definition& definition) {
 // As it is printed; nothing where it is no time, which is told.
 bool read_start_time(study::Definition& definition) {
   if (definition.start_time.empty()) return true;
-  const auto clock = parse_start_time(definition.start_time);
-  if (clock) {
-    definition.start_time = print(*clock);
-    return true;
+  if (const auto problem = wrong_start_time(definition)) {
+    tell(*problem);
+    return false;
   }
-  wrong_batch_usage(
-      fmt::format("start-time {}: expected YYYY-MM-DD HH:MM or YYYY-MM-DD HH:MM:SS", definition.start_time));
-  return false;
+  definition.start_time = print(*parse_start_time(definition.start_time));
+  return true;
 }
 
 std::string text_of(const std::vector<study::Dimension>& dimensions) {

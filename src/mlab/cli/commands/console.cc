@@ -343,7 +343,7 @@ int serve(const RunOptions& options, console::SessionSettings settings, const Lo
   std::ranges::move(session.end(), std::back_inserter(lost));
   for (const std::string& what : lost)
     fmt::print(stderr, "mlab: error: what was not saved is lost: {}\n", what);
-  if (!options.report.empty() && !report.empty() && !deliver("report", options.report, report))
+  if (!options.report.empty() && !report.empty() && !deliver("mlab run", "report", options.report, report))
     return kFailed;
   if (!lost.empty()) return kFailed;
   return options.strict && look.warnings > 0 ? kFailed : exit_status(report);

@@ -150,6 +150,12 @@ int show_page(const ReplayOptions& options) {
   return run_console(page);
 }
 
+// What they showed when the run was recorded.
+void note_clocks(const wire::HistoryBeginning& then, run::Performance& performance) {
+  performance.started_at = print(wall_clock(then.started_at()));
+  performance.mission_clock = print({then.executive().epoch_seconds(), then.executive().zone_offset()});
+}
+
 // Null: it is not recorded once more.
 std::unique_ptr<RunRecording> recording_of(const ReplayOptions& options, history::Replay& replay) {
   if (options.record.empty()) return nullptr;
@@ -206,6 +212,7 @@ int replay(const ReplayOptions& options) {
   screen.show_start(recorded.replay->run());
   run::Performance performance;
   performance.program_version = kVersion;
+  note_clocks(recorded.history->beginning(), performance);
   const double began = steady_seconds();
   const double cpu_began = cpu_seconds();
   const std::unique_ptr<RunRecording> recording = recording_of(options, *recorded.replay);
@@ -214,7 +221,8 @@ int replay(const ReplayOptions& options) {
   performance.wall_seconds = steady_seconds() - began;
   performance.cpu_seconds = cpu_seconds() - cpu_began;
   const run::MissionRun& run = recorded.replay->run();
-  const std::string outcome = run::outcome_name(run, run::RunEnd::kInterrupted);
+  const run::RunEnd how = end_of(*recorded.replay);
+  const std::string outcome = run::outcome_name(run, how);
   screen.show_summary(run, outcome, performance.wall_seconds);
   fmt::print("{}\n", outcome_of(*recorded.replay));
   if (recorded.is_damaged) fmt::print("what comes after that can't be read: the recording is damaged\n");
@@ -227,7 +235,7 @@ int replay(const ReplayOptions& options) {
   const std::optional<history::EndEntry>& end = recorded.history->end();
   if (recording && !recording->end("mlab replay", end ? end->outcome : outcome)) return kFailed;
   if (!options.report.empty() &&
-      !deliver("report", options.report, run::report_json(run, performance, run::RunEnd::kInterrupted)))
+      !deliver("mlab replay", "report", options.report, run::report_json(run, performance, how)))
     return kFailed;
   return recorded.replay->divergence() || recorded.is_damaged ? kFailed : kDone;
 }

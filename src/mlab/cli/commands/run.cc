@@ -310,9 +310,10 @@ int run(const RunOptions& options) {
   screen.show_warnings(prepared->warnings);
   const bool is_as_recorded = prepared->bodies.conclude();
   const bool is_recorded = !prepared->recording || prepared->recording->end("mlab run", outcome);
-  if (!options.report.empty() && !deliver("report", options.report, run::report_json(run, performance, end)))
+  if (!options.report.empty() &&
+      !deliver("mlab run", "report", options.report, run::report_json(run, performance, end)))
     return kFailed;
-  if (!options.plot.empty() && !deliver("plot", options.plot, plot.svg(run))) return kFailed;
+  if (!options.plot.empty() && !deliver("mlab run", "plot", options.plot, plot.svg(run))) return kFailed;
   return watchdog.expect_end(outcome == "done" && is_as_recorded && is_recorded ? kDone : kFailed);
 }
 
