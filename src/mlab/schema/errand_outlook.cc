@@ -23,7 +23,7 @@ bool leads_there(const PlannedWay& way) {
 std::array<geom::Point, 8> places_around(const Percepts& percepts) {
   constexpr double kAway = 10.0;  // [m]
   constexpr double kInside = 1.0;
-  const auto& [revision, discs, walls, bounds] = percepts.ground;
+  const auto& [revision, discs, walls, bounds, edges] = percepts.ground;
   geom::Point low = percepts.pose.position;
   geom::Point high = low;
   const auto add = [&](geom::Point p, double reach) {
