@@ -373,5 +373,19 @@ TEST_F(Way, NobodyIsThereSinceThePlaceHasJustMovedToHim) {
   EXPECT_DOUBLE_EQ(p.output<double>(), 0.0);
 }
 
+TEST_F(Way, IsLeftAlongItUpToItsLastCorner) {
+  PlannedWay way;
+  way.corners = {Point{10, 0}, {110, 0}, {110, 5}, {13, 5}, {13, 4}};
+  way.count = 5;
+  way.end = WayEnd::kGoal;
+  flow::BehaviorProbe p = probe("WayLeft");
+  p.percepts.pose.position = {10, 0};
+  p.set("way", way).step();
+  EXPECT_NEAR(p.output<double>(), 100 + 5 + 97 + 1, 1e-9) << "straight it is 5 m";
+  p.percepts.pose.position = {13.1, 4.0};
+  p.step();
+  EXPECT_NEAR(p.output<double>(), 0.1, 1e-9);
+}
+
 }  // namespace
 }  // namespace mlab::library_test

@@ -290,6 +290,14 @@ TEST_F(SharedTasks, PlacesThatNoWayLeadsToAreNamedAtOnceAndOnce) {
   }
 }
 
+TEST_F(SharedTasks, APlaceToWhichALongWayRoundLeadsIsVisited) {
+  // More than a minute long it leads away from the place.
+  make(1, "", "VISIT 60 5", "WALL Long 40 0 40 390\n");
+  go(400.0);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_EQ(told_.find("gives back"), std::string::npos) << told_;
+}
+
 TEST_F(SharedTasks, APlaceOnWhichAnotherRobotStandsIsVisitedBesideIt) {
   make(2, "UNIT <parked> ROBOT\n", "VISIT 100 100 300 200 AND UNIT parked START 300 200");
   go(600);
@@ -488,6 +496,26 @@ TEST_F(SharedTasks, WhatNobodyKnewToBeOutOfReachEndsNoSearch) {
   EXPECT_EQ(contacts(), 0U);
   EXPECT_GE(seen.share(), 0.84);  // all outside of it
   EXPECT_LT(run_->time(), 1000.0);
+}
+
+TEST_F(SharedTasks, WhatLiesUnderSomethingWideIsNotSearchedForLong) {
+  // Five of eight pieces lie under a rock that nobody knew of.
+  make(2, "", "SEARCH Field SWATH 20", "OBJ Field 150 100 350 100 350 200 150 200\n", {{{270, 150}, 80.0}});
+  Seen seen({150, 100}, {350, 200}, {{{270, 150}, 80.0}}, 20.0);
+  search(seen);
+  EXPECT_TRUE(is_done()) << told_;
+  EXPECT_GE(seen.share(), 0.99);
+  EXPECT_NE(told_.find("leaves out part"), std::string::npos) << told_;
+  EXPECT_NE(told_.find("something stands on all of it"), std::string::npos) << told_;
+  EXPECT_EQ(contacts(), 0U);
+}
+
+TEST_F(SharedTasks, ASearchUnderSomethingThatLeavesNothingOfItFreeFailsSoon) {
+  make(2, "", "SEARCH Field SWATH 20", "OBJ Field 150 100 250 100 250 200 150 200\n", {{{200, 150}, 85.0}});
+  go(200.0);
+  EXPECT_EQ(run_->state().outcome, mission::Outcome::kFailed) << told_;
+  EXPECT_NE(told_.find("its robots can do no more of it"), std::string::npos) << told_;
+  EXPECT_LT(run_->time(), 120.0);
 }
 
 TEST_F(SharedTasks, WhatIsBehindADoorIsSearched) {

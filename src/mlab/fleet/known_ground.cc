@@ -42,20 +42,29 @@ std::uint64_t revision_of(const ways::Ground& ground, ways::Bounds bounds) {
 }  // namespace
 
 TeamGround::TeamGround(const overlay::Overlay& map)
-    : TeamGround(mission::known_things(map), mission::known_bounds(map), {}, std::nullopt) {
+    : TeamGround(mission::known_things(map), mission::known_bounds(map), mission::known_edges(map),
+                 std::nullopt) {
   for (const overlay::ObstacleDisc& one : map.obstacles) {
     if (!one.is_moving()) continue;
     if (const auto all = mission::swept(one)) swaying_.push_back(all->center);
   }
 }
 
-TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::vector<geom::Point> swaying,
+TeamGround::TeamGround(ways::Ground ground, ways::Bounds bounds, std::size_t edges,
                        std::optional<std::size_t> mapped)
     : ground_(std::move(ground)),
       bounds_(bounds),
-      swaying_(std::move(swaying)),
+      edges_(edges),
       mapped_(mapped.value_or(ground_.discs.size())),
       revision_(revision_of(ground_, bounds)) {}
+
+std::shared_ptr<const TeamGround> TeamGround::with_discs(std::vector<ways::Round> discs,
+                                                         std::size_t mapped) const {
+  ways::Ground ground{.discs = std::move(discs), .walls = ground_.walls, .bounds = ground_.bounds};
+  std::shared_ptr<TeamGround> out(new TeamGround(std::move(ground), bounds_, edges_, mapped));
+  out->swaying_ = swaying_;
+  return out;
+}
 
 const ways::Clearing& TeamGround::things() const {
   std::call_once(looked_, [this] { things_.emplace(ground_, kSame); });
@@ -67,19 +76,17 @@ bool TeamGround::knows(geom::Point place) const {
 }
 
 std::shared_ptr<const TeamGround> TeamGround::with(std::span<const ways::Round> sensed) const {
-  ways::Ground ground;
+  std::vector<ways::Round> discs;
   for (const ways::Round& one : sensed) {
-    if (ground_.discs.size() - mapped_ + ground.discs.size() >= kMostSensed) break;
-    const bool is_new =
-        !knows(one.center) && std::ranges::none_of(ground.discs, [&](const ways::Round& other) {
-          return distance(other.center, one.center) < other.radius + kSame;
-        });
-    if (is_new) ground.discs.push_back(one);
+    if (ground_.discs.size() - mapped_ + discs.size() >= kMostSensed) break;
+    const bool is_new = !knows(one.center) && std::ranges::none_of(discs, [&](const ways::Round& other) {
+      return distance(other.center, one.center) < other.radius + kSame;
+    });
+    if (is_new) discs.push_back(one);
   }
-  if (ground.discs.empty()) return nullptr;
-  ground.discs.insert(ground.discs.begin(), ground_.discs.begin(), ground_.discs.end());
-  ground.walls = ground_.walls;
-  return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, swaying_, mapped_));
+  if (discs.empty()) return nullptr;
+  discs.insert(discs.begin(), ground_.discs.begin(), ground_.discs.end());
+  return with_discs(std::move(discs), mapped_);
 }
 
 std::vector<geom::Point> TeamGround::missed(const geom::Pose& pose, double reach,
@@ -103,16 +110,15 @@ std::vector<geom::Point> TeamGround::missed(const geom::Pose& pose, double reach
 }
 
 std::shared_ptr<const TeamGround> TeamGround::without(std::span<const geom::Point> gone) const {
-  ways::Ground ground;
+  std::vector<ways::Round> discs;
   std::size_t mapped = 0;
   for (std::size_t i = 0; i < ground_.discs.size(); ++i) {
     if (std::ranges::find(gone, ground_.discs[i].center) != gone.end()) continue;
-    ground.discs.push_back(ground_.discs[i]);
+    discs.push_back(ground_.discs[i]);
     mapped += i < mapped_ ? 1 : 0;
   }
-  if (ground.discs.size() == ground_.discs.size()) return nullptr;
-  ground.walls = ground_.walls;
-  return std::shared_ptr<const TeamGround>(new TeamGround(std::move(ground), bounds_, swaying_, mapped));
+  if (discs.size() == ground_.discs.size()) return nullptr;
+  return with_discs(std::move(discs), mapped);
 }
 
 }  // namespace mlab::fleet

@@ -25,7 +25,7 @@ class TeamGround {
   explicit TeamGround(const overlay::Overlay& map);
 
   /// Valid as long as this is.
-  percept::KnownGround view() const { return {revision_, ground_.discs, ground_.walls, bounds_}; }
+  percept::KnownGround view() const { return {revision_, ground_.discs, ground_.walls, bounds_, edges_}; }
   /// Whether something that is known stands there. May be asked by several threads.
   bool knows(geom::Point place) const;
   /// With what was sensed besides; nothing: all of it is known, or there is no room for more.
@@ -40,15 +40,17 @@ class TeamGround {
   std::shared_ptr<const TeamGround> without(std::span<const geom::Point> gone) const;
 
  private:
+  /// @param edges  as the field
   /// @param mapped  of the discs; nothing: all of them
-  /// @param swaying  as the field
-  TeamGround(ways::Ground ground, ways::Bounds bounds, std::vector<geom::Point> swaying,
-             std::optional<std::size_t> mapped);
+  TeamGround(ways::Ground ground, ways::Bounds bounds, std::size_t edges, std::optional<std::size_t> mapped);
+  /// The same with other discs, of which so many are the map's.
+  std::shared_ptr<const TeamGround> with_discs(std::vector<ways::Round> discs, std::size_t mapped) const;
 
   const ways::Clearing& things() const;
 
   ways::Ground ground_;  // without bounds: things beyond them are known, too
   ways::Bounds bounds_;
+  std::size_t edges_ = 0;  // so many of the last walls are edges of areas to keep out of
   /// Middles of those in which something moves: whoever looks there may not see it.
   std::vector<geom::Point> swaying_;
   std::size_t mapped_ = 0;  // discs that the map has; those behind them were sensed

@@ -43,6 +43,26 @@ TEST(TeamGround, HasNothingOfTheMapThatMoves) {
   EXPECT_EQ(ground.with(sensed)->view().discs.size(), 2U);
 }
 
+TEST(TeamGround, TellsEdgesOfMinefieldsFromWalls) {
+  overlay::Overlay map = with_one_disc();
+  overlay::ControlMeasure mines;
+  mines.kind = overlay::MeasureKind::kMinefield;
+  mines.points = {{10.0, 10.0}, {20.0, 10.0}, {10.0, 20.0}};
+  overlay::ControlMeasure wall;
+  wall.kind = overlay::MeasureKind::kWall;
+  wall.points = {{40.0, 0.0}, {40.0, 9.0}};
+  map.measures = {mines, wall};
+  const TeamGround ground(map);
+  const std::vector<ways::Round> sensed = {{{70.0, 50.0}, 2.0}};
+  for (const percept::KnownGround& view : {ground.view(), ground.with(sensed)->view()}) {
+    ASSERT_EQ(view.walls.size(), 4U);
+    EXPECT_EQ(view.edges, 3U);
+    EXPECT_FALSE(view.is_edge(0));
+    EXPECT_TRUE(view.is_edge(1));
+    EXPECT_TRUE(view.is_edge(3));
+  }
+}
+
 TEST(TeamGround, RemembersWhatWasSensedOnce) {
   const TeamGround before(with_one_disc());
   const std::vector<ways::Round> sensed = {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "mlab/overlay/barriers.h"
 #include "mlab/overlay/overlay.h"
@@ -35,6 +37,12 @@ inline ways::Ground known_things(const overlay::Overlay& map) {
   }
   for (const overlay::Barrier& one : overlay::barriers(map)) out.walls.push_back(one.segment);
   return out;
+}
+
+/// So many of the last of these walls are edges of areas to keep out of.
+inline std::size_t known_edges(const overlay::Overlay& map) {
+  const std::vector<overlay::Barrier> barriers = overlay::barriers(map);
+  return static_cast<std::size_t>(std::ranges::count(barriers, false, &overlay::Barrier::is_solid));
 }
 
 /// Where robots' centres may be [m, world].

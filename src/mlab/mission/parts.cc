@@ -213,12 +213,12 @@ std::vector<geom::Point> places_of(const State& state, const std::vector<base::R
 
 }  // namespace
 
-std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members) {
+std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members, Of of) {
   geom::Offset sum;
   double count = 0.0;
   for (const base::RobotId id : members) {
     const RobotState* robot = find_robot(state, id);
-    if (robot == nullptr || !in_sight(state, *robot)) continue;
+    if (robot == nullptr || !in_sight(state, *robot) || (of == Of::kRunning && !robot->is_running)) continue;
     sum = sum + (robot->pose.position - geom::Point{});
     count += 1.0;
   }

@@ -28,7 +28,10 @@ struct PlannedPart {
 /// @return  empty for a unit without robots
 std::vector<PlannedPart> plan_parts(const State& state, Run& run);
 
+/// Whose centre: of all, or of those that run.
+enum class Of : std::uint8_t { kAll, kRunning };
 /// Mean position of those that report; nothing where none does [m, world].
-std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members);
+std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members,
+                                  Of of = Of::kAll);
 
 }  // namespace mlab::mission

@@ -27,13 +27,14 @@ constexpr double kClosedUp = 0.1;  ///< in file: so much of a bound's length beh
 constexpr double kTurnIn =
     2.0;  ///< FOLLOW: so many times its distance from the goal before it, a part makes for its own place
 
-// What is left of the route, as the members tell it [m].
+// What is left of the route, as the members that run tell it [m].
 double reported_remaining(const State& state, const Group& group) {
   double sum = 0.0;
   double count = 0.0;
   for (const base::RobotId id : group.members) {
     const RobotState& robot = *find_robot(state, id);
-    if (!in_sight(state, robot) || robot.reported != group.sequence || !std::isfinite(robot.remaining))
+    if (!in_sight(state, robot) || !robot.is_running || robot.reported != group.sequence ||
+        !std::isfinite(robot.remaining))
       continue;
     sum += robot.remaining;
     count += 1.0;
@@ -41,6 +42,7 @@ double reported_remaining(const State& state, const Group& group) {
   return count > 0.0 ? sum / count : std::numeric_limits<double>::infinity();
 }
 
+// Who does not run moves no more: the others of the part go on without it.
 void measure(const State& state, const Run& run, Part& part) {
   const Group* group = find_group(state, part.sequence);
   if (group == nullptr) {
@@ -50,12 +52,12 @@ void measure(const State& state, const Run& run, Part& part) {
   const std::uint32_t run_index = index_of(state, run);
   part.done = std::ranges::all_of(group->members, [&](base::RobotId id) {
     const RobotState& robot = *find_robot(state, id);
-    return robot.done || robot.run != run_index;
+    return robot.done || robot.run != run_index || !robot.is_running;
   });
   if (group->task == percept::Task::kFollow) {
     part.behind = reported_remaining(state, *group);
     part.remaining = part.behind + part.ahead;
-  } else if (const auto at = centre(state, group->members)) {
+  } else if (const auto at = centre(state, group->members, Of::kRunning)) {
     part.remaining = geom::distance(*at, part.goal);
     part.behind = geom::distance(*at, goal_of(*run.command));
   }

@@ -3,6 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "mlab/mission/executive.h"
 #include "mlab/mission/testing/toy_fleet.h"
@@ -143,6 +148,21 @@ TEST(BoundingOverwatch, NamesTheHaltedPartWhenTheOtherIsStuck) {
   EXPECT_TRUE(fleet.has_told("m to go: no progress; robot 2")) << fleet.transcript();
   EXPECT_TRUE(fleet.has_told("m to go: halted while another part of the unit moves; robot 4"))
       << fleet.transcript();
+}
+
+TEST(BoundingOverwatch, GoesOnWithoutWhoIsLost) {
+  for (const std::vector<std::uint32_t>& lost : {std::vector{2U}, std::vector{1U, 2U}, std::vector{3U, 4U}}) {
+    ToyFleet fleet(two_teams(Technique::kBoundingOverwatch), {.patience = 600.0});
+    fleet.send(event::Execute{});
+    fleet.run(40.0);
+    for (const std::uint32_t id : lost) fleet.robot(id).report.is_running = false;
+    fleet.run(500.0);
+    EXPECT_TRUE(fleet.has_told("who runs can do no more, and nobody replaced the others for 30 s; robot " +
+                               std::to_string(lost.front()) + " at"))
+        << fleet.transcript();
+    for (const RobotState& robot : fleet.state().robots)
+      EXPECT_EQ(robot.done, robot.is_running) << robot.id.value;
+  }
 }
 
 TEST(TravelingOverwatch, LeadsWithOnePartAndLetsTheOtherFollowAtADistance) {

@@ -9,14 +9,23 @@
 namespace mlab::overlay {
 namespace {
 
+// Which measure: its own number among those with barriers, and its place in the overlay.
+struct Origin {
+  std::uint32_t group = 0;
+  std::uint32_t measure = 0;
+};
+
 void add_line(std::vector<Barrier>& out, const std::vector<geom::Point>& points, bool is_closed,
-              std::uint32_t group) {
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) out.push_back({{points[i], points[i + 1]}, group});
-  if (is_closed && points.size() > 2) out.push_back({{points.back(), points.front()}, group});
+              Origin origin) {
+  const auto add = [&](geom::Point a, geom::Point b) {
+    out.push_back({{a, b}, origin.group, origin.measure});
+  };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) add(points[i], points[i + 1]);
+  if (is_closed && points.size() > 2) add(points.back(), points.front());
 }
 
 // The edge of an area: through the corners of the measure, or around its only point.
-void add_edge(std::vector<Barrier>& out, const ControlMeasure& measure, std::uint32_t group) {
+void add_edge(std::vector<Barrier>& out, const ControlMeasure& measure, Origin origin) {
   constexpr int kCornersOfCircle = 24;
   std::vector<geom::Point> corners = measure.points;
   if (corners.size() == 1) {
@@ -30,7 +39,7 @@ void add_edge(std::vector<Barrier>& out, const ControlMeasure& measure, std::uin
     }
   }
   for (std::size_t i = 0; i < corners.size(); ++i)
-    out.push_back({{corners[i], corners[(i + 1) % corners.size()]}, group, false});
+    out.push_back({{corners[i], corners[(i + 1) % corners.size()]}, origin.group, origin.measure, false});
 }
 
 }  // namespace
@@ -38,16 +47,20 @@ void add_edge(std::vector<Barrier>& out, const ControlMeasure& measure, std::uin
 std::vector<Barrier> barriers(const Overlay& overlay) {
   std::vector<Barrier> out;
   std::vector<Barrier> edges;
-  std::uint32_t group = 0;
+  Origin origin;
   for (const ControlMeasure& measure : overlay.measures) {
     const Substance substance = info(measure.kind).substance;
     if (substance == Substance::kSolid) {
-      add_line(out, measure.points, false, group++);
+      add_line(out, measure.points, false, origin);
+      ++origin.group;
     } else if (substance == Substance::kAvoided) {
-      add_edge(edges, measure, group++);
+      add_edge(edges, measure, origin);
+      ++origin.group;
     } else if (zone_kind(measure) == ZoneKind::kWeather) {
-      add_line(out, measure.points, true, group++);
+      add_line(out, measure.points, true, origin);
+      ++origin.group;
     }
+    ++origin.measure;
   }
   out.insert(out.end(), edges.begin(), edges.end());
   return out;

@@ -10,8 +10,9 @@ namespace mlab::overlay {
 
 /// A straight piece of what a map has that robots may not cross.
 struct Barrier {
-  geom::Segment segment;    ///< [m]
-  std::uint32_t group = 0;  ///< pieces of the same measure have the same one
+  geom::Segment segment;      ///< [m]
+  std::uint32_t group = 0;    ///< pieces of the same measure have the same one
+  std::uint32_t measure = 0;  ///< its measure's place among those of the overlay
   bool is_solid = true;  ///< false: of the edge of an area that robots keep out of; nothing stops them there
 };
 

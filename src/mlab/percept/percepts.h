@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <span>
@@ -199,6 +200,10 @@ struct KnownGround {
   std::span<const ways::Round> discs;
   std::span<const geom::Segment> walls;  ///< [m, world]
   ways::Bounds bounds;
+  /// So many of the last walls are edges of areas to keep out of: nothing stops a robot there.
+  std::size_t edges = 0;
+  /// Whether a wall, by its place in the list, is such an edge.
+  bool is_edge(std::size_t wall) const { return wall + edges >= walls.size(); }
 };
 
 /// Everything that a robot may know in one cycle. Lists are views into a buffer of the cycle, nearest first,

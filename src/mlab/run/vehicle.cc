@@ -68,6 +68,15 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
+// Whether the robot's program has refused the value: one word on it is enough.
+bool is_refused(const mission::RobotParameter& parameter, const text::Diagnostics& sink) {
+  const text::Place& at = parameter.place;
+  return at.source && std::ranges::any_of(sink.items(), [&](const text::Diagnostic& one) {
+           return one.severity == text::Severity::kError && one.place.source == at.source &&
+                  one.place.span.begin == at.span.begin;
+         });
+}
+
 binding::Drive drive_of(const mission::RobotParameter& parameter, text::Diagnostics& sink) {
   std::string upper = parameter.value;
   std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -125,7 +134,7 @@ binding::BodySpec body_of(const mission::RobotType& type, const std::map<std::st
       const std::optional<double> value = number(parameter.value);
       if (value && *value >= property.min && *value <= property.max) {
         quantity.set(body, property.is_angle() ? base::radians(*value) : *value);
-      } else {
+      } else if (!is_refused(parameter, sink)) {
         sink.error("out-of-range", parameter.place,
                    fmt::format("`{}` can't be {}", parameter.key, parameter.value))
             .label = fmt::format("takes a number from {} to {}", property.min, property.max);

@@ -1,5 +1,10 @@
 #include "mlab/run/vehicle.h"
 
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "mlab/base/angle.h"
@@ -68,6 +73,18 @@ TEST(BodyOf, TakesWhatAConfigurationSaysUnlessTheMissionSaysOtherwise) {
   EXPECT_EQ(body.ring.first_angle, -1.5);
   EXPECT_TRUE(body.has_ring_obstacles);
   EXPECT_TRUE(sink.items().empty());
+}
+
+TEST(BodyOf, SaysNothingMoreOfAValueThatTheProgramRefused) {
+  const auto source = std::make_shared<const text::Source>("m.mdl", "robot_radius=-1");
+  const text::Place place{source, {0, 15}};
+  text::Diagnostics sink;
+  body_of(type_with({{"robot_radius", "-1", place}}), {}, sink);
+  EXPECT_EQ(sink.error_count(), 1U) << "nobody refused it before";
+  text::Diagnostics refused;
+  refused.error("bad-parameter", place, "-1 is out of range");
+  body_of(type_with({{"robot_radius", "-1", place}}), {}, refused);
+  EXPECT_EQ(refused.error_count(), 1U);
 }
 
 TEST(BodyOf, RefusesASettingThatNoBodyHas) {

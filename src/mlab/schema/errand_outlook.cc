@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <string>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -23,7 +25,7 @@ bool leads_there(const PlannedWay& way) {
 std::array<geom::Point, 8> places_around(const Percepts& percepts) {
   constexpr double kAway = 10.0;  // [m]
   constexpr double kInside = 1.0;
-  const auto& [revision, discs, walls, bounds] = percepts.ground;
+  const auto& [revision, discs, walls, bounds, edges] = percepts.ground;
   geom::Point low = percepts.pose.position;
   geom::Point high = low;
   const auto add = [&](geom::Point p, double reach) {
@@ -115,6 +117,35 @@ bool tell_of_shut_in(const Percepts& percepts, double radius, double margin, Out
         fmt::format("no way leads out of where robot {} is: {} is in front of it", percepts.id.value,
                     what_blocks(percepts.ground, last, place)));
   return true;
+}
+
+bool is_nothing_to_see(const Percepts& percepts, const Errands& errands, std::size_t errand) {
+  const double reach = 0.5 * percepts.order.swath;
+  const auto is_hidden = [&](std::size_t one) {
+    return is_covered(percepts.ground, errands.way(one), reach);
+  };
+  if (percepts.order.task != percept::Task::kSearch || !is_hidden(errand)) return false;
+  for (std::size_t other = 0; other < errands.count(); ++other) {
+    if (!is_hidden(other)) return true;
+  }
+  return false;
+}
+
+void tell_of_lost(const Percepts& percepts, const Errands& errands, std::size_t errand, std::string_view does,
+                  percept::Action& action) {
+  constexpr double kBeside = 1.0;  // [m]
+  const geom::Point place = errands.way(errand).front();
+  std::string why = "it comes no nearer";
+  if (is_covered(percepts.ground, errands.way(errand), 0.5 * percepts.order.swath))
+    why = "something stands on all of it";
+  for (const percept::RobotReading& robot : percepts.robots) {
+    if (geom::distance(percepts.pose.point_at(robot.center), place) > robot.radius + kBeside) continue;
+    why = fmt::format("robot {} stands there", robot.id.value);
+    break;
+  }
+  alert(action, "Way",
+        fmt::format("{} part {} of {}, at ({:.0f}, {:.0f}): {}", does, errand + 1, errands.count(), place.x,
+                    place.y, why));
 }
 
 }  // namespace mlab::schema

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
-
-#include <fmt/core.h>
 
 #include "mlab/base/hash.h"
 #include "mlab/schema/contracts.h"
@@ -125,12 +122,15 @@ std::optional<std::size_t> Errands::piece_of_another(std::size_t share, base::Ro
 }
 
 void LegWatch::head_for_next(double time) {
-  least_ = std::numeric_limits<double>::infinity();
+  least_ = last_ = std::numeric_limits<double>::infinity();
   nearer_at_ = time;
 }
 
 LegWatch::Verdict LegWatch::look(double left, double tolerance, double patience, double time) {
-  constexpr double kNearer = 0.5;  // [m]
+  constexpr double kNearer = 0.5;    // [m]
+  constexpr double kAnother = 10.0;  // a way that is so much longer than before is another one [m]
+  if (left > last_ + kAnother) least_ = left;
+  last_ = left;
   if (left < least_ - kNearer) {
     least_ = left;
     nearer_at_ = time;
@@ -384,20 +384,25 @@ bool look_back(const Percepts& percepts, std::span<const geom::Point> way, LegWa
   return state.looks_back || (is_through && !has_looked);
 }
 
-// That it has come to nothing of a part, and what stands there.
-void tell_of_lost(const Percepts& percepts, const Errands& errands, std::size_t errand,
-                  percept::Action& action) {
-  constexpr double kBeside = 1.0;  // [m]
-  const geom::Point place = errands.way(errand).front();
-  std::string why = "it comes no nearer";
-  for (const percept::RobotReading& robot : percepts.robots) {
-    if (geom::distance(percepts.pose.point_at(robot.center), place) > robot.radius + kBeside) continue;
-    why = fmt::format("robot {} stands there", robot.id.value);
-    break;
-  }
-  alert(action, "Way",
-        fmt::format("gives back part {} of {}, at ({:.0f}, {:.0f}): {}", errand + 1, errands.count(), place.x,
-                    place.y, why));
+// The leg of a piece that leads to a corner; of the first one that corner alone.
+geom::Segment leg_to(std::span<const geom::Point> way, std::size_t corner) {
+  return {way[corner == 0 ? 0 : corner - 1], way[corner]};
+}
+
+void head_for_corner(std::size_t corner, double time, ErrandState& state, LegWatch& watch) {
+  state.leg = static_cast<std::uint32_t>(corner);
+  state.along = 0.0;
+  state.comes_back = false;
+  watch.head_for_next(time);
+}
+
+// Of a piece it leaves out the next legs, as far as nobody sees anything of them.
+void leave_out_covered(const Percepts& percepts, std::span<const geom::Point> way, ErrandState& state,
+                       LegWatch& watch) {
+  const double reach = 0.5 * percepts.order.swath;
+  std::size_t corner = state.leg;
+  while (corner < way.size() && is_covered(percepts.ground, leg_to(way, corner), reach)) ++corner;
+  if (corner != state.leg) head_for_corner(corner, percepts.time, state, watch);
 }
 
 // What comes of the part that this robot has next. @return where it is to go for that
@@ -409,13 +414,11 @@ geom::Point go_on_with(const Percepts& percepts, const Errands& errands, std::si
   const std::span<const geom::Point> way = errands.way(errand);
   if (state.current != static_cast<std::int32_t>(errand)) {
     state.current = static_cast<std::int32_t>(errand);
-    state.leg = 0;
-    state.along = 0.0;
-    state.comes_back = false;
     state.was_there = false;
     state.looks_back = false;
     state.swept.begin();
-    watch.head_for_next(time);
+    head_for_corner(0, time, state, watch);
+    leave_out_covered(percepts, way, state, watch);
     verdict = LegWatch::Verdict::kUnderWay;
   }
   if (percepts.order.swath > 0.0) {
@@ -423,18 +426,23 @@ geom::Point go_on_with(const Percepts& percepts, const Errands& errands, std::si
     if (look_back(percepts, way, verdict, state, watch)) return state.looks_back ? state.back_to : here;
     if (looked_back) verdict = LegWatch::Verdict::kUnderWay;
   }
-  if (state.leg < way.size() && verdict == LegWatch::Verdict::kThere) state.was_there = true;
+  if (state.leg < way.size() && verdict == LegWatch::Verdict::kThere) {
+    // Beside a thing that stands there nothing of it may be seen.
+    const double away = geom::distance(geom::nearest_point(leg_to(way, state.leg), here), here);
+    if (percepts.order.task != Task::kSearch || away <= 0.5 * percepts.order.swath) state.was_there = true;
+  }
   if (come_back_to_leg(way, percepts, verdict, state, watch)) verdict = LegWatch::Verdict::kUnderWay;
   // What it can't come to it leaves out.
   if (state.leg < way.size() && verdict != LegWatch::Verdict::kUnderWay) {
-    ++state.leg;
-    state.along = 0.0;
-    state.comes_back = false;
-    watch.head_for_next(time);
+    head_for_corner(state.leg + 1, time, state, watch);
+    leave_out_covered(percepts, way, state, watch);
   }
   const bool is_through = state.leg >= way.size();
-  if (is_through && !state.was_there) {
-    if (!state.given_back.has(errand) && !watch.is_closed()) tell_of_lost(percepts, errands, errand, action);
+  const bool is_lost = is_through && !state.was_there;
+  const bool is_given_back = is_lost && !is_nothing_to_see(percepts, errands, errand);
+  if (is_lost && !state.given_back.has(errand) && !watch.is_closed())
+    tell_of_lost(percepts, errands, errand, is_given_back ? "gives back" : "leaves out", action);
+  if (is_given_back) {
     state.given_back.add(errand);
     ask_once(action, about_task(Request::Kind::kRenegeTask, contract));
     return way.back();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "mlab/geom/pose.h"
 #include "mlab/percept/action.h"
@@ -101,6 +102,7 @@ class LegWatch {
 
  private:
   double least_ = 0.0;  // that was left [m]
+  double last_ = 0.0;   // left in the cycle before [m]
   double nearer_at_ = 0.0;
   bool is_closed_ = false;
 };
@@ -126,6 +128,14 @@ struct ErrandState {
 /// so.
 geom::Point next_errand(const percept::Percepts& percepts, LegWatch::Verdict verdict, ErrandState& state,
                         LegWatch& watch, percept::Action& action);
+
+/// Whether there is nothing to see of a piece of a SEARCH, since things stand on all of it, while there is of
+/// others.
+bool is_nothing_to_see(const percept::Percepts& percepts, const Errands& errands, std::size_t errand);
+/// Tells the operator that a robot has come to nothing of a part, and why.
+/// @param does  `gives back`, `leaves out`
+void tell_of_lost(const percept::Percepts& percepts, const Errands& errands, std::size_t errand,
+                  std::string_view does, percept::Action& action);
 
 /// How far a robot is on its way round. A value of a frame.
 struct TourState {

@@ -49,6 +49,20 @@ bool sees(const KnownGround& ground, geom::Segment from, Point place, double rea
 
 }  // namespace
 
+bool is_covered(const KnownGround& ground, geom::Segment leg, double reach) {
+  return std::ranges::any_of(ground.discs, [&](const ways::Round& disc) {
+    const double deep = disc.radius - reach;
+    return deep > 0.0 && distance(leg.a, disc.center) < deep && distance(leg.b, disc.center) < deep;
+  });
+}
+
+bool is_covered(const KnownGround& ground, std::span<const Point> way, double reach) {
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (!is_covered(ground, geom::Segment{way[i == 0 ? 0 : i - 1], way[i]}, reach)) return false;
+  }
+  return true;
+}
+
 void Trail::go_to(Point here, double tolerance) {
   if (count_ == 0) {
     corners_[0] = last_ = here;

@@ -37,6 +37,11 @@ class Trail {
   double farthest_ = 0.0;   // the piece's length [m]
 };
 
+/// Whether all of a leg, or of a way, lies so deep under things that nobody who stays beside them sees it.
+/// @param reach  so far they see [m]
+bool is_covered(const percept::KnownGround& ground, geom::Segment leg, double reach);
+bool is_covered(const percept::KnownGround& ground, std::span<const geom::Point> way, double reach);
+
 /// What a robot that goes along a piece of a SEARCH has left unseen beside it, since something stood there
 /// that the way leads through. Told by places beside each leg that the robot has come past: by where it has
 /// been since the command began. Discs hide nothing, walls do. A value of a frame.

@@ -71,9 +71,9 @@ inline constexpr double kLookahead = 2.0;
 bool is_open(const percept::KnownGround& ground, const ways::PlannedWay& way);
 
 /// What is met first on the straight line from where a way ends to its goal, as a sentence's subject:
-/// `a wall at (300.0, 210.5)`, `an obstacle of radius 4.0 m at (310.0, 200.0)`, `the edge of the mission
-/// area`, `a gap of 0.5 m at (200.0, 150.0), which is too narrow,`; `what stands around it` where nothing
-/// else is known.
+/// `a wall at (300.0, 210.5)`, `the edge of a minefield at (300.0, 210.5)`, `an obstacle of radius 4.0 m at
+/// (310.0, 200.0)`, `the edge of the mission area`, `a gap of 0.5 m at (200.0, 150.0), which is too narrow,`;
+/// `what stands around it` where nothing else is known.
 std::string what_blocks(const percept::KnownGround& ground, geom::Point from, geom::Point goal);
 /// What the operator is to read where no way leads farther than `last`, and where something stands at the
 /// goal.

@@ -127,6 +127,16 @@ TEST(WhatBlocks, IsTheFirstThingOnTheLine) {
   EXPECT_EQ(what_blocks(known.ground(), {150.0, 50.0}, {250.0, 50.0}), "the edge of the mission area");
 }
 
+TEST(WhatBlocks, TellsMinefieldsFromWalls) {
+  Known known;
+  known.walls = {{{50.0, 0.0}, {50.0, 200.0}}, {{100.0, 0.0}, {100.0, 200.0}}};
+  known.revision = next_revision();
+  percept::KnownGround ground = known.ground();
+  ground.edges = 1;  // the last one
+  EXPECT_EQ(what_blocks(ground, {20.0, 50.0}, {150.0, 50.0}), "a wall at (50.0, 50.0)");
+  EXPECT_EQ(what_blocks(ground, {70.0, 50.0}, {150.0, 50.0}), "the edge of a minefield at (100.0, 50.0)");
+}
+
 TEST(WhatBlocks, IsTheGapWhereTheLineLeadsThroughOne) {
   Known known = with_disc();
   known.walls = {{{100.0, 0.0}, {100.0, 149.75}}, {{100.0, 150.25}, {100.0, 200.0}}};

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -55,7 +56,8 @@ std::string what_blocks(const percept::KnownGround& ground, geom::Point from, ge
     out = fmt::format("an obstacle of radius {:.1f} m at ({:.1f}, {:.1f})", disc.radius, disc.center.x,
                       disc.center.y);
   }
-  for (const geom::Segment& wall : ground.walls) {
+  for (std::size_t i = 0; i < ground.walls.size(); ++i) {
+    const geom::Segment& wall = ground.walls[i];
     const geom::Offset side = wall.b - wall.a;
     const double slope = cross(along, side);
     if (!intersects({from, goal}, wall) || slope == 0.0) continue;
@@ -63,7 +65,8 @@ std::string what_blocks(const percept::KnownGround& ground, geom::Point from, ge
     if (at >= first) continue;
     first = at;
     const geom::Point there = from + along * at;
-    out = fmt::format("a wall at ({:.1f}, {:.1f})", there.x, there.y);
+    out = fmt::format("{} at ({:.1f}, {:.1f})", ground.is_edge(i) ? "the edge of a minefield" : "a wall",
+                      there.x, there.y);
   }
   if (first <= 1.0) return out;
   if (!ground.bounds.contains(goal)) return "the edge of the mission area";

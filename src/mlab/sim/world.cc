@@ -72,8 +72,8 @@ World world_of(const overlay::Overlay& overlay) {
     else
       world.discs.push_back({disc.center, disc.radius});
   }
-  for (const auto& [segment, group, is_solid] : overlay::barriers(overlay))
-    world.walls.push_back({segment, group, is_solid});
+  for (const overlay::Barrier& one : overlay::barriers(overlay))
+    world.walls.push_back({one.segment, one.group, one.is_solid});
   for (const overlay::ControlMeasure& measure : overlay.measures) {
     add_to_building(world.building, measure);
     if (overlay::zone_kind(measure) == overlay::ZoneKind::kNoCommunication)

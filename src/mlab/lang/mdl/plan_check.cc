@@ -222,9 +222,16 @@ class PlanCheck {
       looked_from = robot.place;
       const std::string who =
           k == 0 ? in_backticks(mission::addressee(mission_, c)) : fmt::format("robot {}", members[k].value);
-      if (!ways_.check(c, {who, robot.place}, most_room(c), success_radius(c))) return false;
+      if (!leads_there(c, {who, robot.place}, most_room(c), success_radius(c))) return false;
     }
     return true;
+  }
+
+  // Who begins within a minefield gets out of it, and goals within one are warned of besides.
+  bool leads_there(const UnitCommand& c, const WayCheck::From& from, WayCheck::Room room, double success) {
+    room.keeps_out = room.keeps_out && goals_.minefield_at(from.place) == nullptr &&
+                     goals_.minefield_at(mission::goal_of(c)) == nullptr;
+    return ways_.check(c, from, room, success);
   }
 
   // Who goes where they settle among themselves.
@@ -232,7 +239,7 @@ class PlanCheck {
     const base::RobotId first = robots_of(c).front();
     if (state(first).has_place) {
       one_by_one(c, [&](const UnitCommand& one) {
-        ways_.check(one, {in_backticks(mission::addressee(mission_, one)), state(first).place},
+        leads_there(one, {in_backticks(mission::addressee(mission_, one)), state(first).place},
                     room_of(first), success_radius(c));
       });
     }
@@ -368,7 +375,9 @@ class PlanCheck {
     for (const base::RobotId id : robots_of(c)) {
       if (visits_++ >= kMaxRobotVisits) break;
       const WayCheck::Room room = room_of(id);
+      const bool keeps_out = out.keeps_out || room.keeps_out;
       if (room.half() > out.half()) out = room;
+      out.keeps_out = keeps_out;
     }
     return out;
   }
@@ -377,10 +386,10 @@ class PlanCheck {
   WayCheck::Room room_of(base::RobotId id) const {
     const mission::RobotType& type = mission_.types[mission_.robots[index_of_.at(id.value)].type];
     const double radius = body_radius(id);
-    if (!formations_.plans_ways(type)) return {radius, 0.0};
+    if (!formations_.plans_ways(type)) return {radius, 0.0, false};
     const double margin =
         mission::number_parameter(type, "avoid_obstacle_safety_margin", mission::kDefaultMargin);
-    return {radius, ways::Clearances(0.0, std::max(margin, 0.0)).least()};
+    return {radius, ways::Clearances(0.0, std::max(margin, 0.0)).least(), true};
   }
 
   double body_radius(base::RobotId id) const {

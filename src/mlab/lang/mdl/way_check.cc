@@ -9,6 +9,7 @@
 #include "mlab/lang/mdl/quoted.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/wording.h"
+#include "mlab/overlay/barriers.h"
 
 namespace mlab::mdl {
 namespace {
@@ -32,19 +33,21 @@ WayCheck::WayCheck(const mission::Mission& mission, text::Diagnostics& diagnosti
     ground_.discs.push_back({one.center, one.radius});
     if (ground_.discs.size() > kMostThings) return;
   }
-  for (const overlay::ControlMeasure& measure : mission.overlay.measures) {
-    if (overlay::info(measure.kind).substance != overlay::Substance::kSolid) continue;
-    for (std::size_t i = 0; i + 1 < measure.points.size(); ++i) {
-      ground_.walls.push_back({measure.points[i], measure.points[i + 1]});
-      measures_.push_back(&measure);
-      if (ground_.walls.size() > kMostThings) return;
-    }
+  open_ = ground_;
+  for (const overlay::Barrier& one : overlay::barriers(mission.overlay)) {
+    if (one.is_solid) open_.walls.push_back(one.segment);
+    ground_.walls.push_back(one.segment);
+    measures_.push_back(&mission.overlay.measures[one.measure]);
   }
 }
 
-ways::Planner& WayCheck::planner(double clearance) {
-  auto& out = planners_[clearance];
-  if (!out) out = std::make_unique<ways::Planner>(ground_, clearance);
+bool WayCheck::is_too_much() const {
+  return ground_.discs.size() > kMostThings || ground_.walls.size() > kMostThings;
+}
+
+ways::Planner& WayCheck::planner(double clearance, bool keeps_out) {
+  auto& out = planners_[{keeps_out, clearance}];
+  if (!out) out = std::make_unique<ways::Planner>(keeps_out ? ground_ : open_, clearance);
   return *out;
 }
 
@@ -81,12 +84,12 @@ std::optional<ways::Planner::NoWay> WayCheck::no_way(ways::Planner& planner, geo
 
 bool WayCheck::check(const mission::UnitCommand& command, const From& from, Room room, double success) {
   const geom::Point goal = mission::goal_of(command);
-  if (ground_.discs.size() > kMostThings || ground_.walls.size() > kMostThings) return true;
+  if (is_too_much()) return true;
   if (ground_.discs.empty() && ground_.walls.empty()) return true;
   if (!ground_.bounds.contains(from.place) || !ground_.bounds.contains(goal)) return true;
   if (distance(from.place, goal) <= success || !(room.radius > kThin)) return true;
   if (!has_effort_left()) return true;
-  const auto none = no_way(planner(room.half()), from.place, goal, success);
+  const auto none = no_way(planner(room.half(), room.keeps_out), from.place, goal, success);
   if (none) warn(command, from, room, success, none->nearest);
   return !none;
 }
@@ -97,8 +100,11 @@ void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const 
     if (place.source) warning.notes.push_back({"this obstacle is in the way", place});
     return;
   }
-  const text::Place& place = measures_[thing - ground_.discs.size()]->place;
-  if (place.source) warning.notes.push_back({"this wall is in the way", place});
+  const overlay::ControlMeasure& measure = *measures_[thing - ground_.discs.size()];
+  if (!measure.place.source) return;
+  const bool is_avoided = overlay::info(measure.kind).substance == overlay::Substance::kAvoided;
+  warning.notes.push_back(
+      {is_avoided ? "this minefield is in the way" : "this wall is in the way", measure.place});
 }
 
 void WayCheck::warn(const mission::UnitCommand& command, const From& from, Room room, double success,
@@ -108,12 +114,12 @@ void WayCheck::warn(const mission::UnitCommand& command, const From& from, Room 
       fmt::format("no way leads to {} from {:g} {:g}, where {} is by then", in_backticks(command.place_name),
                   from.place.x, from.place.y, from.who);
   // The widest gap that there is, if any: too narrow for the body, wide enough for the thin one.
-  if (!no_way(planner(kThin), from.place, goal, success)) {
+  if (!no_way(planner(kThin, room.keeps_out), from.place, goal, success)) {
     double passes = kThin;
     double stuck = room.half();
     for (int i = 0; i < 10 && has_effort_left(); ++i) {
       const double half = 0.5 * (passes + stuck);
-      ways::Planner tried(ground_, half);
+      ways::Planner tried(room.keeps_out ? ground_ : open_, half);
       effort_ += tried.effort();
       (no_way(tried, from.place, goal, success) ? stuck : passes) = half;
     }
@@ -132,7 +138,7 @@ void WayCheck::warn(const mission::UnitCommand& command, const From& from, Room 
       diagnostics_.warning("no-way", command.goal_place,
                            fmt::format("{}: it is closed off, and the robots come no nearer than {:.0f} m",
                                        where, distance(nearest, goal)));
-  if (const auto thing = planner(room.half()).clearing().first_hit({nearest, goal}))
+  if (const auto thing = planner(room.half(), room.keeps_out).clearing().first_hit({nearest, goal}))
     note_thing(*thing, warning);
 }
 

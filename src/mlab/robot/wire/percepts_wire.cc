@@ -169,12 +169,12 @@ void encode(const percept::SiteMap& map, wire::Percepts& out) {
 }
 
 bool is_told(const percept::KnownGround& ground) {
-  const auto& [revision, discs, walls, bounds] = ground;
-  return revision != 0 || !discs.empty() || !walls.empty() || bounds != ways::Bounds{};
+  const auto& [revision, discs, walls, bounds, edges] = ground;
+  return revision != 0 || !discs.empty() || !walls.empty() || bounds != ways::Bounds{} || edges != 0;
 }
 
 void encode(const percept::KnownGround& ground, wire::Ground& out) {
-  const auto& [revision, discs, walls, bounds] = ground;
+  const auto& [revision, discs, walls, bounds, edges] = ground;
   out.set_revision(revision);
   for (const auto& [center, radius] : discs) {
     add(center, *out.mutable_discs());
@@ -188,6 +188,7 @@ void encode(const percept::KnownGround& ground, wire::Ground& out) {
   out.set_y0(bounds.y0);
   out.set_x1(bounds.x1);
   out.set_y1(bounds.y1);
+  out.set_edges(static_cast<std::uint32_t>(edges));
 }
 
 void encode(const percept::Order& order, wire::Order& out) {
@@ -475,8 +476,12 @@ std::optional<std::string> DecodedPercepts::decode_ground(const wire::Ground& me
   for (int i = 0; i < message.wall_a().x_size(); ++i)
     walls_.push_back(
         {{message.wall_a().x(i), message.wall_a().y(i)}, {message.wall_b().x(i), message.wall_b().y(i)}});
-  percepts_.ground = {
-      message.revision(), discs_, walls_, {message.x0(), message.y0(), message.x1(), message.y1()}};
+  if (message.edges() > walls_.size()) return "of the ground more walls are edges than there are";
+  percepts_.ground = {message.revision(),
+                      discs_,
+                      walls_,
+                      {message.x0(), message.y0(), message.x1(), message.y1()},
+                      message.edges()};
   return std::nullopt;
 }
 

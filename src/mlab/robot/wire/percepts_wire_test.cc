@@ -102,6 +102,20 @@ TEST(PerceptsWire, RefusesColumnsOfDifferentLengths) {
             "the columns of the contracts are not equally long");
 }
 
+TEST(PerceptsWire, TellsWhichWallsAreEdges) {
+  const std::vector<geom::Segment> walls{{{1.0, 2.0}, {3.0, 4.0}}, {{5.0, 6.0}, {7.0, 8.0}}};
+  percept::Percepts percepts;
+  percepts.ground = {1, {}, walls, {}, 1};
+  wire::Percepts message;
+  encode(percepts, message);
+  DecodedPercepts decoded;
+  ASSERT_FALSE(decoded.decode(message));
+  EXPECT_FALSE(decoded.percepts().ground.is_edge(0));
+  EXPECT_TRUE(decoded.percepts().ground.is_edge(1));
+  message.mutable_ground()->set_edges(3);
+  EXPECT_EQ(decoded.decode(message), "of the ground more walls are edges than there are");
+}
+
 TEST(PerceptsWire, RefusesNumbersThatStandForNothing) {
   DecodedPercepts decoded;
   wire::Percepts message;

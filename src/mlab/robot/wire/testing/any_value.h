@@ -54,7 +54,11 @@ consteval Enum last_of() {
 /// Percepts with the lists that they are views of.
 class AnyPercepts {
  public:
-  AnyPercepts() { fill(percepts); }
+  AnyPercepts() {
+    fill(percepts);
+    percept::KnownGround& ground = percepts.ground;
+    ground.edges = std::min(ground.edges, ground.walls.size());
+  }
   AnyPercepts(const AnyPercepts&) = delete;
   AnyPercepts& operator=(const AnyPercepts&) = delete;
 
