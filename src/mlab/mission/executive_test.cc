@@ -180,7 +180,7 @@ TEST(Rally, WaitsForARobotThatIsLostOnTheWayAndCountsOneThatWasThere) {
   fleet.run_cycles(5);
   fleet.robot(2).reports = false;
   fleet.robot(2).is_stuck = true;
-  EXPECT_FALSE(fleet.run(35.0));
+  EXPECT_FALSE(fleet.run(60.0));
   EXPECT_TRUE(fleet.has_told("robot 2 is not running, but `unit u RALLY Camp` waits for it"))
       << fleet.transcript();
   fleet.robot(1).reports = false;

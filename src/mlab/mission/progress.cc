@@ -245,37 +245,12 @@ bool has_lost_robots(const State& state, const Run& run) {
   });
 }
 
-// Does not run, and will not by itself. Who is only being started may still come.
-bool is_out(const Run& run, const RobotState& robot) {
-  if (robot.life != RobotState::Life::kStarted) return run.command->task != Task::kStart;
-  return robot.seen != 0 && !robot.is_running;
-}
-
-// Who is left of a command's robots.
-enum class Left : std::uint8_t {
-  kSome,    // that may come nearer to being done
-  kOthers,  // are done, or halted by a technique: the rest does not run
-  kNobody   // of them runs
-};
-
-Left who_is_left(const State& state, const Run& run) {
-  Left out = Left::kNobody;
-  for (const base::RobotId id : run.needed) {
-    const RobotState* robot = find_robot(state, id);
-    if (robot == nullptr) return Left::kSome;
-    const bool runs = !is_out(run, *robot);
-    const Group* group = find_group(state, robot->sequence);
-    if (runs && !robot->done && (group == nullptr || !group->halted)) return Left::kSome;
-    if (runs) out = Left::kOthers;
-  }
-  return out;
-}
-
-// Nobody of them was started.
-bool is_unstarted(const State& state, const Run& run) {
+// All that it is for were lost: nobody is left who could come nearer to being done.
+bool has_nobody_left(const State& state, const Run& run) {
   return std::ranges::all_of(run.needed, [&](base::RobotId id) {
     const RobotState* robot = find_robot(state, id);
-    return robot != nullptr && robot->life != RobotState::Life::kStarted;
+    return robot != nullptr && robot->life == RobotState::Life::kStarted && robot->seen != 0 &&
+           !robot->is_running;
   });
 }
 
@@ -308,15 +283,9 @@ Verdict judge(const State& state, const Run& run) {
   if (run.stalled >= state.options.patience)
     return {has_lost_robots(state, run) ? Failure::kRobotsLost : Failure::kNoProgress,
             fmt::format("no progress for {:.0f} s", run.stalled)};
-  if (run.stalled < kNobodyCame) return {};
-  const Left left = who_is_left(state, run);
-  if (left == Left::kNobody)
+  if (run.stalled >= kNobodyCame && has_nobody_left(state, run))
     return {Failure::kNobodyLeft,
-            fmt::format("none of its robots runs, and nobody {} one for {:.0f} s",
-                        is_unstarted(state, run) ? "started" : "replaced", kNobodyCame)};
-  if (left == Left::kOthers && has_lost_robots(state, run))
-    return {Failure::kRobotsLost,
-            fmt::format("who runs can do no more, and nobody replaced the others for {:.0f} s", kNobodyCame)};
+            fmt::format("none of its robots runs, and nobody replaced one for {:.0f} s", kNobodyCame)};
   return {};
 }
 
