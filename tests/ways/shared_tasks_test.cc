@@ -298,6 +298,21 @@ TEST_F(SharedTasks, APlaceToWhichALongWayRoundLeadsIsVisited) {
   EXPECT_EQ(told_.find("gives back"), std::string::npos) << told_;
 }
 
+TEST_F(SharedTasks, APlaceUnderAnObstacleIsVisitedBesideIt) {
+  for (const bool is_known : {true, false}) {
+    SCOPED_TRACE(is_known);
+    told_.clear();
+    if (is_known)
+      make(2, "", "VISIT 300 200 100 100", "OBSTACLE 300 200 20\n");
+    else
+      make(2, "", "VISIT 300 200 100 100", "", {{{300, 200}, 20.0}});
+    go(400.0);
+    EXPECT_TRUE(is_done()) << told_;
+    EXPECT_EQ(told_.find("gives back"), std::string::npos) << told_;
+    EXPECT_EQ(contacts(), 0U);
+  }
+}
+
 TEST_F(SharedTasks, APlaceOnWhichAnotherRobotStandsIsVisitedBesideIt) {
   make(2, "UNIT <parked> ROBOT\n", "VISIT 100 100 300 200 AND UNIT parked START 300 200");
   go(600);

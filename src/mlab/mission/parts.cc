@@ -213,12 +213,14 @@ std::vector<geom::Point> places_of(const State& state, const std::vector<base::R
 
 }  // namespace
 
-std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members, Of of) {
+std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members,
+                                  Whose whose) {
   geom::Offset sum;
   double count = 0.0;
   for (const base::RobotId id : members) {
     const RobotState* robot = find_robot(state, id);
-    if (robot == nullptr || !in_sight(state, *robot) || (of == Of::kRunning && !robot->is_running)) continue;
+    if (robot == nullptr || !in_sight(state, *robot) || (whose == Whose::kRunning && !robot->is_running))
+      continue;
     sum = sum + (robot->pose.position - geom::Point{});
     count += 1.0;
   }

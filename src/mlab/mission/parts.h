@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,9 +30,9 @@ struct PlannedPart {
 std::vector<PlannedPart> plan_parts(const State& state, Run& run);
 
 /// Whose centre: of all, or of those that run.
-enum class Of : std::uint8_t { kAll, kRunning };
+enum class Whose : std::uint8_t { kAll, kRunning };
 /// Mean position of those that report; nothing where none does [m, world].
 std::optional<geom::Point> centre(const State& state, const std::vector<base::RobotId>& members,
-                                  Of of = Of::kAll);
+                                  Whose whose = Whose::kAll);
 
 }  // namespace mlab::mission

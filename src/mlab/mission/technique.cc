@@ -57,7 +57,7 @@ void measure(const State& state, const Run& run, Part& part) {
   if (group->task == percept::Task::kFollow) {
     part.behind = reported_remaining(state, *group);
     part.remaining = part.behind + part.ahead;
-  } else if (const auto at = centre(state, group->members, Of::kRunning)) {
+  } else if (const auto at = centre(state, group->members, Whose::kRunning)) {
     part.remaining = geom::distance(*at, part.goal);
     part.behind = geom::distance(*at, goal_of(*run.command));
   }

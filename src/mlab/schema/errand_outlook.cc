@@ -119,14 +119,20 @@ bool tell_of_shut_in(const Percepts& percepts, double radius, double margin, Out
   return true;
 }
 
+namespace {
+
+// Things stand on all of a piece of a SEARCH.
+bool is_hidden(const Percepts& percepts, const Errands& errands, std::size_t errand) {
+  return percepts.order.task == percept::Task::kSearch &&
+         is_covered(percepts.ground, errands.way(errand), 0.5 * percepts.order.swath);
+}
+
+}  // namespace
+
 bool is_nothing_to_see(const Percepts& percepts, const Errands& errands, std::size_t errand) {
-  const double reach = 0.5 * percepts.order.swath;
-  const auto is_hidden = [&](std::size_t one) {
-    return is_covered(percepts.ground, errands.way(one), reach);
-  };
-  if (percepts.order.task != percept::Task::kSearch || !is_hidden(errand)) return false;
+  if (!is_hidden(percepts, errands, errand)) return false;
   for (std::size_t other = 0; other < errands.count(); ++other) {
-    if (!is_hidden(other)) return true;
+    if (!is_hidden(percepts, errands, other)) return true;
   }
   return false;
 }
@@ -136,8 +142,7 @@ void tell_of_lost(const Percepts& percepts, const Errands& errands, std::size_t 
   constexpr double kBeside = 1.0;  // [m]
   const geom::Point place = errands.way(errand).front();
   std::string why = "it comes no nearer";
-  if (is_covered(percepts.ground, errands.way(errand), 0.5 * percepts.order.swath))
-    why = "something stands on all of it";
+  if (is_hidden(percepts, errands, errand)) why = "something stands on all of it";
   for (const percept::RobotReading& robot : percepts.robots) {
     if (geom::distance(percepts.pose.point_at(robot.center), place) > robot.radius + kBeside) continue;
     why = fmt::format("robot {} stands there", robot.id.value);

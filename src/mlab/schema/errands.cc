@@ -399,6 +399,7 @@ void head_for_corner(std::size_t corner, double time, ErrandState& state, LegWat
 // Of a piece it leaves out the next legs, as far as nobody sees anything of them.
 void leave_out_covered(const Percepts& percepts, std::span<const geom::Point> way, ErrandState& state,
                        LegWatch& watch) {
+  if (percepts.order.task != Task::kSearch) return;  // a place under something is come to beside that
   const double reach = 0.5 * percepts.order.swath;
   std::size_t corner = state.leg;
   while (corner < way.size() && is_covered(percepts.ground, leg_to(way, corner), reach)) ++corner;
