@@ -13,7 +13,6 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "mlab/base/testing/processor_time.h"
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/history/testing/meddler.h"
 #include "mlab/history/testing/written_run.h"
@@ -134,11 +133,11 @@ TEST_P(OfMission, GoesOnFromAnyMomentAsItDid) {
   std::mt19937 random(7);
   script.save();
   written.run().post(event::Execute{});
-  for (int cycle = 0; cycle < (base::kIsSlowBuild ? 800 : 2500) && script.step(); ++cycle) {
+  for (int cycle = 0; cycle < 2500 && script.step(); ++cycle) {
     if (random() % 200 == 0) script.save();
   }
   ASSERT_GT(written.run().cycle(), 300U);
-  script.check(base::kIsSlowBuild ? 200 : 400);
+  script.check(400);
 }
 
 std::vector<std::string> all_missions() {
@@ -157,7 +156,7 @@ TEST(Checkpoint, IsOfAnyMomentWhateverPeopleDo) {
   int stopped = 0;
   int paused = 0;
   int steered = 0;
-  for (std::uint32_t seed = 1; seed <= (base::kIsSlowBuild ? 2 : 4); ++seed) {
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     WrittenRun written("demo_c/demo_c.mdl", seed);
     const run::MissionRun& run = written.run();

@@ -8,7 +8,6 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/base/random.h"
-#include "mlab/base/testing/processor_time.h"
 #include "mlab/sim/simulator.h"
 
 namespace mlab::sim {
@@ -310,7 +309,7 @@ double ray_cast(const Simulator& simulator, BodyIndex self, double angle, double
 }
 
 TEST(Ring, AgreesWithRayCastingInRandomWorlds) {
-  for (std::uint64_t seed = 1; seed <= (base::kIsSlowBuild ? 12 : 60); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     base::Random random(seed);
     const Point far = seed % 3 == 0 ? Point{4e6, 4e6} : Point{};
     const auto place = [&] { return far + geom::Offset{random.uniform(-10, 10), random.uniform(-10, 10)}; };
@@ -401,7 +400,7 @@ TEST(Ring, AConeTellsTheNearestOfAllRaysInIt) {
 }
 
 TEST(Obstacles, AndRobotsAgreeWithLookingAtEverythingInRandomWorlds) {
-  for (std::uint64_t seed = 1; seed <= (base::kIsSlowBuild ? 8 : 40); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     base::Random random(seed);
     const double size = std::pow(10.0, random.uniform(0.5, 4.0));
     const auto place = [&] { return Point{random.uniform(-size, size), random.uniform(-size, size)}; };
