@@ -7,6 +7,7 @@
 
 #include "../testing/library_probe.h"
 #include "mlab/schema/errands.h"
+#include "mlab/schema/tour.h"
 #include "mlab/ways/planned_way.h"
 
 namespace mlab::library_test {

@@ -8,6 +8,7 @@
 
 #include "mlab/schema/errands.h"
 #include "mlab/schema/requests.h"
+#include "mlab/schema/tour.h"
 #include "mlab/schema/way.h"
 
 namespace mlab::schema {

@@ -25,20 +25,6 @@ bool may_bid(const Contract& contract, base::RobotId robot) {
   return contract.state == ContractState::kOpen && contract.reneged != robot;
 }
 
-// From the tour's first place [m]; the leg ends at its place.
-double way_round(std::span<const geom::Point> tour, std::size_t leg, geom::Point p) {
-  const geom::Point from = tour[(leg + tour.size() - 1) % tour.size()];
-  const geom::Point at = geom::nearest_point({from, tour[leg]}, p);
-  double out = geom::distance(from, at);
-  for (std::size_t i = 1; i <= (leg + tour.size() - 1) % tour.size(); ++i)
-    out += geom::distance(tour[i - 1], tour[i]);
-  return out;
-}
-
-double length_round(std::span<const geom::Point> tour) {
-  return route_length(tour) + geom::distance(tour.back(), tour.front());
-}
-
 // Of the box around them [m].
 double extent_of(std::span<const geom::Point> points) {
   geom::Point low = points.empty() ? geom::Point{} : points.front();
@@ -50,8 +36,6 @@ double extent_of(std::span<const geom::Point> points) {
   return geom::distance(low, high);
 }
 
-constexpr std::uint32_t kLegBits = 8;
-constexpr std::uint32_t kFlagBits = 3;
 // Of 20 random fields with 20 places and 5 robots all have ways of at most 1.14 times the shortest together,
 // and take two thirds of the time that the shortest take.
 constexpr double kFairness = 0.8;
@@ -456,20 +440,6 @@ geom::Point go_on_with(const Percepts& percepts, const Errands& errands, std::si
   return is_through ? here : on_leg(way, state);
 }
 
-// As it told it last.
-TourPlace own_tour_place(const Percepts& percepts) {
-  for (const percept::SharedPlace& shared : percepts.shared_places) {
-    const auto place = tour_place(percepts.order, shared);
-    if (place && shared.from == percepts.id) return *place;
-  }
-  return {};
-}
-
-// Where no way led to any place of the round when these were last tried, one after the other.
-bool comes_to_none(const TourState& state, std::size_t places) {
-  return state.in_vain >= places;
-}
-
 }  // namespace
 
 geom::Point next_errand(const Percepts& percepts, LegWatch::Verdict verdict, ErrandState& state,
@@ -494,82 +464,6 @@ geom::Point next_errand(const Percepts& percepts, LegWatch::Verdict verdict, Err
     bid_for_places(percepts, errands, state.given_back, action);
   announce_errands(percepts, errands, state.given_back, action);  // what there is room for
   return out;
-}
-
-geom::Point next_tour_place(const Percepts& percepts, LegWatch::Verdict verdict, TourState& state,
-                            LegWatch& watch, percept::Action& action) {
-  const std::span<const geom::Point> tour = percepts.order.route;
-  const geom::Point here = percepts.pose.position;
-  if (tour.empty()) return here;
-  if (verdict != LegWatch::Verdict::kUnderWay) {
-    state.at.leg = (state.at.leg + 1) % tour.size();
-    state.in_vain = verdict == LegWatch::Verdict::kThere ? 0 : state.in_vain + 1;
-    state.passed = comes_to_none(state, tour.size()) ? 0 : state.passed + 1;
-    watch.head_for_next(percepts.time);
-  }
-  state.at.has_gone_round = state.at.has_gone_round || state.passed > tour.size();
-  state.at.is_shut_in = verdict != LegWatch::Verdict::kThere && own_tour_place(percepts).is_shut_in;
-  state.at.comes_to_none = state.at.is_shut_in || comes_to_none(state, tour.size());
-  Request told = share_place(here);
-  told.object = tour_code(percepts.order, state.at);
-  action.ask(told);
-  return tour[state.at.leg % tour.size()];
-}
-
-base::ObjectId tour_code(const percept::Order& order, TourPlace place) {
-  const std::uint32_t flags =
-      (place.has_gone_round ? 1U : 0U) | (place.comes_to_none ? 2U : 0U) | (place.is_shut_in ? 4U : 0U);
-  const auto leg = static_cast<std::uint32_t>(place.leg);
-  return {order.sequence << (kLegBits + kFlagBits) | flags << kLegBits | (leg & ((1U << kLegBits) - 1))};
-}
-
-std::optional<TourPlace> tour_place(const percept::Order& order, const percept::SharedPlace& shared) {
-  const std::uint32_t code = shared.object.value;
-  const TourPlace out{code & ((1U << kLegBits) - 1), (code >> kLegBits & 1U) != 0,
-                      (code >> (kLegBits + 1) & 1U) != 0, (code >> (kLegBits + 2) & 1U) != 0};
-  if (out.leg >= order.route.size() || tour_code(order, out) != shared.object) return std::nullopt;
-  return out;
-}
-
-std::size_t nearest_leg(std::span<const geom::Point> tour, geom::Point p) {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < tour.size(); ++i) {
-    const geom::Point from = tour[(i + tour.size() - 1) % tour.size()];
-    const double away = geom::distance(geom::nearest_point({from, tour[i]}, p), p);
-    if (away < least) {
-      least = away;
-      best = i;
-    }
-  }
-  return best;
-}
-
-double patrol_pace(const Percepts& percepts, double patience, double slowest) {
-  const std::span<const geom::Point> tour = percepts.order.route;
-  if (tour.empty()) return 1.0;
-  const double round = length_round(tour);
-  std::optional<double> own;
-  for (const percept::SharedPlace& shared : percepts.shared_places) {
-    const auto place = tour_place(percepts.order, shared);
-    if (place && shared.from == percepts.id) own = way_round(tour, place->leg, shared.place);
-  }
-  if (!own || !(round > 0.0)) return 1.0;
-  double ahead = round;
-  int robots = 1;
-  for (const percept::SharedPlace& shared : percepts.shared_places) {
-    const auto place = tour_place(percepts.order, shared);
-    if (!place || shared.from == percepts.id || percepts.time - shared.time > patience) continue;
-    if (place->comes_to_none) continue;
-    ++robots;
-    double gap = std::fmod(way_round(tour, place->leg, shared.place) - *own + round, round);
-    // Side by side: who has the lower number is ahead.
-    if (gap <= 0.0 && shared.from.value > percepts.id.value) gap = round;
-    ahead = std::min(ahead, gap);
-  }
-  const double share = round / robots;
-  constexpr double kGain = 2.0;
-  return std::clamp(1.0 + kGain * (ahead - share) / share, slowest, 1.0);
 }
 
 }  // namespace mlab::schema

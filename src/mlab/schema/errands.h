@@ -65,23 +65,6 @@ struct ErrandSet {
   std::optional<std::size_t> take_first();
 };
 
-/// Where a robot is on its way round the places of a PATROL. It tells that with its place: in the number of
-/// the object that a SharedPlace is about. Of a VISIT only that it is shut in is told.
-struct TourPlace {
-  std::size_t leg = 0;  ///< it heads for that place of the route
-  bool has_gone_round = false;
-  bool comes_to_none = false;  ///< it has come to none of the places, and can't
-  bool is_shut_in = false;     ///< no way leads out of where it is
-};
-base::ObjectId tour_code(const percept::Order& order, TourPlace place);
-/// Nothing: it speaks of something else.
-std::optional<TourPlace> tour_place(const percept::Order& order, const percept::SharedPlace& shared);
-/// How many robots have told of this order that they are shut in.
-std::size_t shut_in_robots(const percept::Percepts& percepts);
-
-/// The leg of the tour that is nearest to a place.
-std::size_t nearest_leg(std::span<const geom::Point> tour, geom::Point p);
-
 /// Added to what is left of a way that leads no farther [m].
 inline constexpr double kClosedEnd = 1e6;
 
@@ -137,20 +120,6 @@ bool is_nothing_to_see(const percept::Percepts& percepts, const Errands& errands
 void tell_of_lost(const percept::Percepts& percepts, const Errands& errands, std::size_t errand,
                   std::string_view does, percept::Action& action);
 
-/// How far a robot is on its way round. A value of a frame.
-struct TourState {
-  TourPlace at;
-  std::uint32_t passed = 0;   ///< places so far: come to, or in vain
-  std::uint32_t in_vain = 0;  ///< in a row
-};
-/// Where a robot is to go next that shares a PATROL. Tells the others where it is.
-geom::Point next_tour_place(const percept::Percepts& percepts, LegWatch::Verdict verdict, TourState& state,
-                            LegWatch& watch, percept::Action& action);
-
-/// How fast a robot goes round so that all that do spread evenly: 1, or less where it is nearer to the next
-/// one than its share of the round. Who has told nothing for `patience` [s] does not count.
-double patrol_pace(const percept::Percepts& percepts, double patience, double slowest);
-
 /// What the robot has found that looks at the places of a VISIT or a PATROL for its unit. A value of a frame.
 struct Outlook {
   std::size_t looked_at = 0;  ///< so many places
@@ -159,6 +128,8 @@ struct Outlook {
   bool is_shut_in = false;
   bool has_told_unit = false;  ///< that it is shut in
 };
+/// How many robots have told of this order that they are shut in.
+std::size_t shut_in_robots(const percept::Percepts& percepts);
 /// Where the ways of a robot begin: where it is, or beside the area that it keeps out of and stands in [m,
 /// world].
 /// @param radius  of its body [m]

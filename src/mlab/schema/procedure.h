@@ -46,6 +46,7 @@
 #include "mlab/schema/stick.h"
 #include "mlab/schema/surroundings.h"
 #include "mlab/schema/task_progress.h"
+#include "mlab/schema/tour.h"
 #include "mlab/schema/turns.h"
 #include "mlab/schema/vector_sum.h"
 #include "mlab/schema/way.h"

@@ -1,4 +1,5 @@
-// What robots share among themselves, while they do: places to visit, and pieces of an area to search.
+// What robots share among themselves, while they do: places to visit, pieces of an area to search, and the round of a
+// patrol, of which each has what is before it.
 import type { Point } from "../geometry.ts";
 import type { Model } from "../model.ts";
 import { type Status_Command_Part, Status_Outcome } from "../protocol.ts";
@@ -37,7 +38,7 @@ export function drawShares(pen: Pen, model: Model, styles: RobotStyles): void {
     }
     const held = parts.filter(({ robot, isDone }) => robot !== 0 && !isDone);
     const named = held.filter(({ robot }) => !isNamed(model, robot, styles));
-    if (named.length <= kMostNamed) for (const part of named) nameHolder(pen, model, part, styles);
+    if (named.length <= kMostNamed) for (const part of named) nameHolder(pen, model, part, swath, styles);
   }
 }
 
@@ -93,13 +94,39 @@ function isNamed(model: Model, robot: number, styles: RobotStyles): boolean {
   return layers.robots && (robotLabels === "all" || (robotLabels === "selected" && styles.isSelected(robot)));
 }
 
-/** Where the piece begins, or beside the place. */
-function nameHolder(pen: Pen, model: Model, { robot, way }: Status_Command_Part, styles: RobotStyles): void {
+/** Where the piece begins, in the middle of what one has of a round, or beside the place. */
+function nameHolder(pen: Pen, model: Model, part: Status_Command_Part, swath: number, styles: RobotStyles): void {
+  const { robot, way } = part;
   const name = model.get("roster").nameOf(robot);
-  const badge = badgeOf(pen, way);
-  const at =
-    way.length > 2
-      ? { x: pen.camera.toScreenX(way[0]!), y: badge.y + 9 }
-      : { x: badge.x + kBadge + 4 + textWidth(pen, name, kNameFont) / 2, y: badge.y };
+  const at = way.length > 2 ? pieceNameAt(pen, way, swath) : placeNameAt(pen, way, name);
   if (isOnScreen(pen.camera, at.x, at.y)) writeText(pen, name, at.x, at.y, styles.cssColor(robot), kNameFont);
+}
+
+function placeNameAt(pen: Pen, way: readonly number[], name: string): Point {
+  const badge = badgeOf(pen, way);
+  return { x: badge.x + kBadge + 4 + textWidth(pen, name, kNameFont) / 2, y: badge.y };
+}
+
+function pieceNameAt({ camera }: Pen, way: readonly number[], swath: number): Point {
+  const { x, y } = swath > 0 ? { x: way[0]!, y: way[1]! } : middleOf(way);
+  return { x: camera.toScreenX(x), y: camera.toScreenY(y) + 9 };
+}
+
+/** Half the way along it. */
+export function middleOf(way: readonly number[]): Point {
+  const lengths: number[] = [];
+  for (let i = 2; i + 1 < way.length; i += 2)
+    lengths.push(Math.hypot(way[i]! - way[i - 2]!, way[i + 1]! - way[i - 1]!));
+  let left = lengths.reduce((sum, length) => sum + length, 0) / 2;
+  for (const [i, length] of lengths.entries()) {
+    if (left <= length && length > 0) {
+      const share = left / length;
+      return {
+        x: way[2 * i]! + share * (way[2 * i + 2]! - way[2 * i]!),
+        y: way[2 * i + 1]! + share * (way[2 * i + 3]! - way[2 * i + 1]!),
+      };
+    }
+    left -= length;
+  }
+  return { x: way.at(-2) ?? 0, y: way.at(-1) ?? 0 };
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <span>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -11,12 +13,14 @@
 #include "mlab/mission/wording.h"
 #include "mlab/schema/contracts.h"
 #include "mlab/schema/errands.h"
+#include "mlab/schema/tour.h"
 
 namespace mlab::console {
 namespace {
 
 using mission::State;
 
+constexpr double kSilence = 5.0;          // who has told nothing for so long goes round no more [s]
 constexpr std::size_t kMostParts = 1000;  // in one status: of more the map would be a tangle
 
 // The enumerations count alike.
@@ -34,16 +38,32 @@ void encode_followers(const State& state, const mission::Run& run, Status::Comma
   for (const base::RobotId id : run.needed) out.add_followers(id.value);
 }
 
-void encode_part(const schema::Errands& errands, std::size_t errand, Status::Command::Part& out) {
-  for (const geom::Point p : errands.way(errand)) {
+void encode_way(std::span<const geom::Point> way, Status::Command::Part& out) {
+  for (const geom::Point p : way) {
     out.add_way(static_cast<float>(p.x));
     out.add_way(static_cast<float>(p.y));
   }
+}
+
+void encode_part(const schema::Errands& errands, std::size_t errand, Status::Command::Part& out) {
+  encode_way(errands.way(errand), out);
   const percept::Contract* contract = errands.contract(errand);
   if (contract == nullptr) return;
   const bool is_done = contract->state == percept::ContractState::kDone;
   if (is_done || schema::is_held(*contract, contract->contractor)) out.set_robot(contract->contractor.value);
   out.set_is_done(is_done);
+}
+
+// What each of them has before it on its round, as one of them knows it.
+void encode_round(const percept::Percepts& percepts, std::size_t& room, Status::Command& out) {
+  const std::vector<schema::Stretch> all = schema::stretches(percepts, kSilence);
+  if (all.size() > room) return;
+  room -= all.size();
+  for (const schema::Stretch& one : all) {
+    Status::Command::Part& part = *out.add_shared();
+    encode_way(one.way, part);
+    part.set_robot(one.robot.value);
+  }
 }
 
 // How far a command is that its robots share, as one of them knows it.
@@ -52,11 +72,14 @@ void encode_parts(const run::MissionRun& run, const mission::Run& command, std::
                   Status::Command& out) {
   if (!mission::info(command.command->task).is_shared) return;
   out.set_is_shared(true);
-  if (command.command->task == mission::Task::kPatrol) return;
   for (const base::RobotId id : command.needed) {
     const fleet::FleetRobot* robot = run.fleet().find(id);
     if (robot == nullptr || robot->life != fleet::RobotLife::kRunning) continue;
     const percept::Percepts percepts = run.fleet().perceive_at(*robot, run.fleet().pose(*robot), {}, 0.0);
+    if (command.command->task == mission::Task::kPatrol) {
+      encode_round(percepts, room, out);
+      return;
+    }
     const schema::Errands errands(percepts);
     if (errands.count() == 0) return;
     out.set_parts(static_cast<std::uint32_t>(errands.count()));

@@ -1,5 +1,6 @@
 #include "mlab/console/published/status_encoder.h"
 
+#include <cmath>
 #include <string>
 
 #include <fmt/core.h>
@@ -86,6 +87,35 @@ TEST(Status, TellsHowManyPartsAreDoneOfWhatRobotsShare) {
   EXPECT_EQ(done, 1);
   EXPECT_EQ(held, 2);
   EXPECT_EQ(visit.shared(0).way(0), 20.0F);
+}
+
+TEST(Status, TellsWhatEachRobotOfAPatrolHasBeforeIt) {
+  const auto run = testing::run_of(
+      "MISSION-AREA 200 200\nUNIT <pair> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT pair START 50 50 0 10\n"
+      "1. UNIT pair PATROL 50 50 150 50 150 150 50 150 UNTIL TIMEOUT 720\n");
+  run->post(mission::event::Execute{});
+  testing::step(*run, 1500);
+  const Status status = status_of(*run, {});
+  ASSERT_EQ(status.steps_size(), 2);
+  const Status::Command& patrol = status.steps(1).commands(0);
+  EXPECT_TRUE(patrol.is_shared());
+  EXPECT_EQ(patrol.parts(), 0U) << "none of it is ever done";
+  ASSERT_EQ(patrol.shared_size(), 2);
+  EXPECT_NE(patrol.shared(0).robot(), patrol.shared(1).robot());
+  double round = 0.0;
+  for (const Status::Command::Part& part : patrol.shared()) {
+    double length = 0.0;
+    for (int i = 3; i < part.way_size(); i += 2)
+      length += std::hypot(part.way(i - 1) - part.way(i - 3), part.way(i) - part.way(i - 2));
+    EXPECT_NEAR(length, 200.0, 40.0) << "they have spread evenly";
+    EXPECT_FALSE(part.is_done());
+    round += length;
+    const base::RobotId robot{part.robot()};
+    const geom::Point at = run->fleet().pose(*run->fleet().find(robot)).position;
+    EXPECT_NEAR(part.way(0), at.x, 5.0) << "it begins where the robot is";
+    EXPECT_NEAR(part.way(1), at.y, 5.0);
+  }
+  EXPECT_NEAR(round, 400.0, 0.01);
 }
 
 TEST(Status, TellsPartsOfNoMoreCommandsThanCanBeRead) {
