@@ -110,14 +110,17 @@ test("all machines of the fleet are in one panel, with the way to each; those th
   await page.setViewportSize({ width: 1280, height: 800 });
   await console.panel("Machines");
 
-  // Last of all: on a slow machine the run gives its agent up meanwhile.
+  // Nothing else is done while it is silent: on a slow machine the run would give its agent up meanwhile.
   north.freeze();
   const pill = card("north").locator(".pill", { hasText: /^(Silent \d+ s|Gone, heard \d+ s ago)$/ });
   await pill.waitFor();
   expect(await pill.getAttribute("class")).not.toMatch(/go|danger/);
   await page.getByRole("button", { name: /^Machines 1$/ }).waitFor();
+  north.thaw();
+  await card("north").getByText("There", { exact: true }).waitFor();
   // In lock-step no time passes meanwhile: the list of robots is as honest.
   const silence = (await console.panel("Robots")).getByText(/^Silent \d+ s$/).first();
+  north.freeze();
   await silence.waitFor();
   expect(await silence.evaluate((one) => one.scrollWidth - one.clientWidth)).toBeLessThan(2);
   north.thaw();
