@@ -260,6 +260,38 @@ TEST_F(Way, AlongARouteGoesBesideCornersThatSomethingStandsAt) {
   EXPECT_EQ(std::ranges::find(straight_there.points(), Point{100.0, 50.0}), straight_there.points().end());
 }
 
+TEST_F(Way, AlongARouteLeavesOutCornersThatAreClosedOffAndTheLeaderTells) {
+  walls = {{{90.0, 40.0}, {110.0, 40.0}},
+           {{110.0, 40.0}, {110.0, 60.0}},
+           {{110.0, 60.0}, {90.0, 60.0}},
+           {{90.0, 60.0}, {90.0, 40.0}}};
+  for (const std::uint16_t rank : {std::uint16_t{0}, std::uint16_t{1}}) {
+    flow::BehaviorProbe p = probe("PlanWay");
+    const std::vector<Point> route = {{20.0, 20.0}, {100.0, 50.0}, {150.0, 20.0}};
+    p.percepts.order.route = route;
+    p.percepts.order.sequence = 1;
+    p.percepts.unit.rank = rank;
+    p.percepts.ground = ground();
+    p.set("along_route", true)
+        .set("from", Point{10.0, 20.0})
+        .set("goal", Point{150.0, 20.0})
+        .set("margin", 1.0);
+    p.step();
+    EXPECT_EQ(p.output<PlannedWay>().end, WayEnd::kGoal);
+    const std::string told(p.action.alert.data());
+    if (rank == 0)
+      EXPECT_NE(told.find("no way to (100, 50) is known: a wall at"), std::string::npos) << told;
+    else
+      EXPECT_EQ(told, "");
+    // What is found elsewhere has the way planned anew, and tells nothing new of the line.
+    p.action = {};
+    rocks.push_back({{60.0 + rank, 20.0}, 3.0});
+    p.percepts.ground = ground();
+    p.step();
+    EXPECT_STREQ(p.action.alert.data(), "");
+  }
+}
+
 TEST_F(Way, ATrapIsToldOnceByWhoStandsAboutInIt) {
   flow::BehaviorProbe p = probe("TellOfTrap");
   p.percepts.order.sequence = 1;

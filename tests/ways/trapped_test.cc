@@ -258,6 +258,18 @@ TEST_F(Trapped, AGapThatIsTooNarrowIsNamed) {
   EXPECT_EQ(told_.find("no way to (250, 150)"), told_.rfind("no way to (")) << told_;
 }
 
+TEST_F(Trapped, CornersOfALineThatAreClosedOffAreToldAndLeftOut) {
+  carry_out(
+      kPlain +
+          "WALL room 120 120 180 120 180 180 120 180 120 120\nAXIS Road 60 150 140 150 160 150 250 150\n",
+      "UNIT <t> r r\nCOMMAND LIST:\n0. UNIT t START 30 148 0 4\n1. UNIT t FOLLOW AXIS-Road\n");
+  EXPECT_TRUE(is_done()) << told_;
+  const std::string text = "no way to (140, 150) is known: a wall at (120.0, 150.0) is in front of it";
+  EXPECT_NE(told_.find(text), std::string::npos) << told_;
+  EXPECT_NE(told_.find("it and 1 corner more are left out"), std::string::npos) << told_;
+  EXPECT_EQ(told_.find(text), told_.rfind(text)) << "once\n" << told_;
+}
+
 TEST_F(Trapped, WhatSwaysIsGoneRound) {
   for (const char* sway : {"51 SPEED 0.5", "56 SPEED 0.3"}) {
     contacts_ = 0;

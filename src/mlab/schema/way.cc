@@ -284,16 +284,21 @@ PlannedWay remembered_way(const Question& asked, const percept::KnownGround& gro
 }
 
 /// As plan_route, but for the way's length.
-PlannedWay find_route(const percept::KnownGround& ground, geom::Point from,
-                      std::span<const geom::Point> corners, double radius, double margin) {
-  PlannedWay out;
+RouteWay find_route(const percept::KnownGround& ground, geom::Point from,
+                    std::span<const geom::Point> corners, double radius, double margin) {
+  RouteWay found;
+  PlannedWay& out = found.way;
   out.clearance = radius + margin;
   out.end = WayEnd::kGoal;
   geom::Point here = from;
   for (const geom::Point& corner : corners) {
     const bool is_last = &corner == &corners.back();
     const PlannedWay leg = plan_way(ground, here, corner, radius, margin);
-    if (!is_last && (leg.end == WayEnd::kClosedOff || leg.end == WayEnd::kNowhere)) continue;
+    if (!is_last && (leg.end == WayEnd::kClosedOff || leg.end == WayEnd::kNowhere)) {
+      const auto index = static_cast<std::size_t>(&corner - corners.data());
+      found.left_out.push_back({index, corner, leg.count == 0 ? here : leg.points().back()});
+      continue;
+    }
     for (const geom::Point point : leg.points()) add(out, point);
     if (leg.count > 0) {
       out.clearance = std::min(out.clearance, leg.clearance);
@@ -301,11 +306,11 @@ PlannedWay find_route(const percept::KnownGround& ground, geom::Point from,
     }
     if (out.end == WayEnd::kFull || leg.end == WayEnd::kFull) {
       out.end = WayEnd::kFull;
-      return out;
+      return found;
     }
     if (is_last) out.end = leg.end;
   }
-  return out;
+  return found;
 }
 
 }  // namespace
@@ -332,11 +337,16 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
   return out;
 }
 
-PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
-                      std::span<const geom::Point> corners, double radius, double margin) {
-  PlannedWay out = find_route(ground, from, corners, radius, margin);
-  out.length = route_length(out.points());
+RouteWay plan_route(const percept::KnownGround& ground, geom::Point from,
+                    std::span<const geom::Point> corners, double radius, double margin) {
+  RouteWay out = find_route(ground, from, corners, radius, margin);
+  out.way.length = route_length(out.way.points());
   return out;
+}
+
+std::span<const LeftOut> not_told(std::span<const LeftOut> left_out, std::size_t from) {
+  const auto first = std::ranges::lower_bound(left_out, from, {}, &LeftOut::corner);
+  return left_out.subspan(static_cast<std::size_t>(first - left_out.begin()));
 }
 
 std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geom::Point> corners) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "mlab/geom/pose.h"
 #include "mlab/percept/percepts.h"
@@ -43,12 +44,25 @@ geom::Point place_outside(const percept::Percepts& percepts, double keep);
 ways::PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal,
                           double radius, double margin);
 
+/// A corner of a route that no way leads to.
+struct LeftOut {
+  std::size_t corner = 0;  ///< of those that the way was planned for
+  geom::Point place;       ///< [m, world]
+  geom::Point last;        ///< where the way to it ends [m, world]
+};
+struct RouteWay {
+  ways::PlannedWay
+      way;  ///< its `end` says what is at the route's end; `kFull`: it is longer than it can tell
+  std::vector<LeftOut> left_out;
+};
 /// A way that leads from where one is to a route and along it to its end, round what stands on it: beside
 /// corners of the route that something stands at; those that no way leads to are left out.
 /// @param corners  those of the route that are still to come [m, world]; at least one
-/// @return  its `end` says what is at the route's end; `kFull` where the way is longer than it can tell
-ways::PlannedWay plan_route(const percept::KnownGround& ground, geom::Point from,
-                            std::span<const geom::Point> corners, double radius, double margin);
+RouteWay plan_route(const percept::KnownGround& ground, geom::Point from,
+                    std::span<const geom::Point> corners, double radius, double margin);
+
+/// Of corners that are left out those from the one of that number on.
+std::span<const LeftOut> not_told(std::span<const LeftOut> left_out, std::size_t from);
 
 /// How many corners of a route one has passed who is so far along a way that leads along it.
 /// @param corners  those that were still to come when the way was planned [m, world]
@@ -79,6 +93,9 @@ std::string what_blocks(const percept::KnownGround& ground, geom::Point from, ge
 /// goal.
 std::string no_way_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal);
 std::string beside_goal_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal);
+/// Where corners of a route are left out.
+/// @param left_out  at least one
+std::string left_out_text(const percept::KnownGround& ground, std::span<const LeftOut> left_out);
 /// And where a robot that only reacts is in a trap.
 std::string trap_text(geom::Point here, bool stands, double seconds);
 

@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <fmt/core.h>
 
+#include "mlab/base/counted.h"
 #include "mlab/schema/way.h"
 
 namespace mlab::schema {
@@ -83,6 +85,13 @@ std::string beside_goal_text(const percept::KnownGround& ground, geom::Point las
   return fmt::format("{} ({:.0f}, {:.0f}); ({:.1f}, {:.1f}) is the nearest place to it",
                      is_outside ? "the mission area ends before" : "something stands at", goal.x, goal.y,
                      last.x, last.y);
+}
+
+std::string left_out_text(const percept::KnownGround& ground, std::span<const LeftOut> left_out) {
+  const LeftOut& first = left_out.front();
+  const std::string why = no_way_text(ground, first.last, first.place);
+  if (left_out.size() == 1) return why + "; this corner is left out";
+  return fmt::format("{}; it and {} more are left out", why, base::counted(left_out.size() - 1, "corner"));
 }
 
 std::string trap_text(geom::Point here, bool stands, double seconds) {

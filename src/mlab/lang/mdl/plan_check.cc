@@ -196,6 +196,7 @@ class PlanCheck {
       for (std::size_t i = 0; i + 1 < c.route.size() && visits_++ < kMaxRobotVisits; ++i) {
         formations_.check_leg(c, {c.route[i], c.route[i + 1]});
       }
+      if (!has_way_along(c)) return;  // it stays before its end
     } else if (c.task != Task::kTeleoperate) {
       const RobotState& first = state(robots_of(c).front());
       formations_.check_leg(c, {first.has_place ? first.place : c.goal, c.goal});
@@ -223,6 +224,28 @@ class PlanCheck {
       const std::string who =
           k == 0 ? in_backticks(mission::addressee(mission_, c)) : fmt::format("robot {}", members[k].value);
       if (!leads_there(c, {who, robot.place}, most_room(c), success_radius(c))) return false;
+    }
+    return true;
+  }
+
+  // The same along its route, whose corners that no way leads to are left out. True where one leads to its
+  // end.
+  bool has_way_along(const UnitCommand& c) {
+    const RobotState& first = state(robots_of(c).front());
+    if (!first.has_place || c.route.empty()) return true;
+    UnitCommand one = c;
+    one.route.clear();  // its goal counts then
+    WayCheck::From from{in_backticks(mission::addressee(mission_, c)), first.place, ""};
+    for (const geom::Point& corner : c.route) {
+      const bool is_end = &corner == &c.route.back();
+      one.goal = corner;
+      from.to =
+          is_end ? ""
+                 : fmt::format("the corner {:g} {:g} of {}", corner.x, corner.y, in_backticks(c.place_name));
+      if (leads_there(one, from, most_room(c), success_radius(c)))
+        from.place = corner;
+      else if (is_end)
+        return false;
     }
     return true;
   }

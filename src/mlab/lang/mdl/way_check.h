@@ -36,6 +36,7 @@ class WayCheck {
   struct From {
     std::string who;    ///< as it is told
     geom::Point place;  ///< [m, world]
+    std::string to{};   ///< the goal as it is told; empty: by its name
   };
   /// @param success  who is so near to the goal is there [m]
   /// @return  false: no way leads there
