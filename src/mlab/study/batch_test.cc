@@ -43,9 +43,9 @@ struct Made {
     EXPECT_FALSE(settle(definition));
     plan = std::make_unique<Plan>(definition);
     for (std::uint32_t version = 0; version < plan->versions(); ++version) {
-      const std::string& file = version == 0 ? definition.mission.text : definition.against.text;
+      const Written& file = version == 0 ? definition.mission : definition.against;
       robot::ProgramSources sources;
-      sources.folder = fs::path(file).parent_path().string();
+      sources.folder = fs::path(file.text).parent_path().string();
       mdl::LoadOptions around;
       around.files = once.files();
       run::RunSettings manner;
@@ -142,6 +142,18 @@ TEST_F(KeptFile, MakesAnInterruptedBatchTheSame) {
     EXPECT_EQ(end, Batch::End::kDone);
     EXPECT_GT(sessions, 1);
   }
+}
+
+TEST(Batch, SaysWhereAFileIsNamedThatIsNotThere) {
+  Definition definition;
+  const auto source = std::make_shared<const text::Source>("study.toml", "mission = \"none.mdl\"");
+  definition.mission = {"none.mdl", {source, {11, 19}}};
+  const Plan plan(definition);
+  Scene scene(definition, plan, definition.mission, {}, {}, {});
+  text::Diagnostics sink;
+  EXPECT_FALSE(scene.prepare(sink));
+  ASSERT_EQ(sink.items().size(), 1U);
+  EXPECT_EQ(source->text(sink.items()[0].place.span), "none.mdl");
 }
 
 // A line may be damaged and a line all the same.
