@@ -13,7 +13,7 @@ import numpy as np
 from . import _core
 from ._errors import Error, MissionWarning, Problem, problems_of
 from ._table import Table
-from ._values import NotPickled, names_of, path_of, positive, whole, written
+from ._values import NotPickled, names_of, path_of, positive, text_of, whole, written
 
 _MOST_CYCLES = 2**63 - 1
 
@@ -309,9 +309,7 @@ class Run(NotPickled):
         ``[x, y]``, ``[x, y, heading]``. SI units, angles in radians; vectors are in the robot's frame (x ahead,
         y left), points and poses in the world. Lists and choices are text.
         """
-        if not isinstance(name, str):
-            raise TypeError(f"name: expected the name of a port, not {type(name).__name__}")
-        found = self._core.ports(_number(robot), name)
+        found = self._core.ports(_number(robot), _port(name, "name"))
         return found if "*" in name else found[name]
 
     def set(self, robot: int | Robot, port: str, value: object) -> None:
@@ -320,22 +318,28 @@ class Run(NotPickled):
         value: a number in the unit that :attr:`Port.written_in` names, a truth, a few numbers for a vector or
             point, or text as missions write it; a point may be the name of a place.
         """
-        self._core.set(_number(robot), port, written(value, port))
+        name = _port(port)
+        self._core.set(_number(robot), name, written(value, name))
 
     def hold(self, robot: int | Robot, port: str, value: object) -> None:
         """Holds an output of the robot's program at a value, whatever it computes, until it is released.
 
         value: as for :meth:`set`.
         """
-        self._core.hold(_number(robot), port, written(value, port))
+        name = _port(port)
+        self._core.hold(_number(robot), name, written(value, name))
 
     def release(self, robot: int | Robot, port: str | None = None) -> None:
         """Lets go of what :meth:`hold` holds; None: of all."""
-        self._core.release(_number(robot), port or "")
+        self._core.release(_number(robot), "" if port is None else _port(port))
 
     def force(self, robot: int | Robot, sequence: str, state: str) -> None:
         """In the next cycle a sequence of the robot's program goes to a state, whatever its triggers say."""
-        self._core.force(_number(robot), sequence, state)
+        self._core.force(
+            _number(robot),
+            text_of(sequence, "sequence", "the name of a sequence"),
+            text_of(state, "state", "the name of a state"),
+        )
 
     # ---- what an operator does
 
@@ -350,7 +354,7 @@ class Run(NotPickled):
 
     def order(self, line: str) -> None:
         """An order as an operator types it: ``run.order("UNIT scouts MOVETO Gate")``."""
-        self._core.order(line)
+        self._core.order(text_of(line, "line", "an order"))
 
     def abort(self) -> None:
         """Ends the mission."""
@@ -382,6 +386,10 @@ class Run(NotPickled):
 
 def _number(robot: int | Robot) -> int:
     return robot.number if isinstance(robot, Robot) else whole(robot, "robot", 0, 2**32 - 1)
+
+
+def _port(name: object, what: str = "port") -> str:
+    return text_of(name, what, "the name of a port")
 
 
 class Mission(NotPickled):
@@ -421,7 +429,7 @@ class Mission(NotPickled):
 
         Ports of a program that runs in an executable of its own are not known.
         """
-        return _ports(self._core.describe(type))
+        return _ports(self._core.describe(text_of(type, "type", "the name of a robot type")))
 
     def run(
         self,
@@ -449,7 +457,7 @@ class Mission(NotPickled):
             whole(threads, "threads", 1, 256),
             bool(proceed),
             positive(patience, "patience"),
-            str(start_time),
+            text_of(start_time, "start_time", "a time"),
             "" if record is None else path_of(record, "record"),
         )
         return Run(core, self)
@@ -480,6 +488,8 @@ def load(
     Raises :class:`Error` with everything that is wrong, each at its place. What is only odd is warned of as
     :class:`MissionWarning`.
     """
+    if set is not None and not isinstance(set, Mapping):
+        raise TypeError(f"set: expected names with their values, {{'base_velocity': 2}}, not {type(set).__name__}")
     given = [(str(name), written(value, str(name))) for name, value in (set or {}).items()]
     file = "" if environment is None else path_of(environment, "environment")
     out = Mission(_core.load(path_of(path, "path"), given, file, bool(allow_native), bool(cell)))

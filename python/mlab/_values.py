@@ -54,12 +54,21 @@ def positive(value: object, what: str) -> float:
 
 def path_of(file: str | os.PathLike, what: str) -> str:
     """The name of a file."""
-    name = os.fspath(file)
-    if not isinstance(name, str):
-        raise TypeError(f"{what}: expected the name of a file as text, not {type(name).__name__}")
-    if "\0" in name:
-        raise Error(f"{what}: the name of a file has no byte 0 in it")
-    return name
+    name = os.fspath(file) if isinstance(file, os.PathLike) else file
+    return text_of(name, what, "the name of a file")
+
+
+def text_of(text: object, what: str, expected: str) -> str:
+    """A text that can be told to the program."""
+    if not isinstance(text, str):
+        raise TypeError(f"{what}: expected {expected} as text, not {type(text).__name__}")
+    if "\0" in text:
+        raise Error(f"{what}: {expected} has no byte 0 in it")
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise Error(f"{what}: expected {expected} in UTF-8, found {text!r}") from None
+    return text
 
 
 def names_of(names: object, what: str) -> list[str]:

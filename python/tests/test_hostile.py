@@ -309,6 +309,31 @@ class Nonsense(unittest.TestCase):
         with self.assertRaises(mlab.Error):
             run.release(7)
 
+    def test_words(self):
+        run = mlab.load(PATROL).run()
+        not_utf8 = "\udc80.mdl"
+        for name, call in (
+            ("path", lambda wrong: mlab.load(wrong)),
+            ("mission", lambda wrong: mlab.batch(wrong, runs=1)),
+            ("record", lambda wrong: run.mission.run(record=wrong)),
+            ("type", run.mission.ports),
+            ("line", run.order),
+            ("name", lambda wrong: run.port(1, wrong)),
+            ("port", lambda wrong: run.set(1, wrong, 1)),
+            ("port", lambda wrong: run.hold(1, wrong, 1)),
+            ("port", lambda wrong: run.release(1, wrong)),
+            ("sequence", lambda wrong: run.force(1, wrong, "state")),
+            ("state", lambda wrong: run.force(1, "sequence", wrong)),
+        ):
+            for wrong in (3, b"x", run):
+                with self.assertRaisesRegex(TypeError, f"^{name}: expected .* as text, not {type(wrong).__name__}"):
+                    call(wrong)
+            for wrong in (not_utf8, "a\0b"):
+                with self.assertRaisesRegex(mlab.Error, f"^{name}: "):
+                    call(wrong)
+        with self.assertRaisesRegex(TypeError, "^set: expected names with their values"):
+            mlab.load(PATROL, set=3)
+
     def test_times(self):
         run = mlab.load(PATROL).run()
         for wrong in (-1, 2**70):

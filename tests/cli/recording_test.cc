@@ -88,6 +88,12 @@ TEST_F(RecordingCommand, SayWhatOfATraceIsNotThere) {
   const Outcome none = mlab("trace run.mcap --ports nosuch");
   EXPECT_EQ(none.status, 2);
   EXPECT_TRUE(has(none.err, "--ports 'nosuch': no port of these robots matches")) << none.err;
+  write("empty.mdl", "MISSION NAME Empty\nCOMMAND LIST:\n0. QUIT\n");
+  ASSERT_EQ(mlab("run empty.mdl --headless --record empty.mcap").status, 0);
+  const Outcome empty = mlab("trace empty.mcap --ports '*'");
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_TRUE(has(empty.err, "there are no robots where this run begins")) << empty.err;
+  EXPECT_FALSE(has(empty.err, "matches")) << empty.err;
   const Outcome one = mlab("trace run.mcap --ports base_velocty --ports 'to_goal*' --to 1");
   EXPECT_EQ(one.status, 0);
   EXPECT_TRUE(

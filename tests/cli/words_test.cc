@@ -36,6 +36,10 @@ TEST_F(Command, WhatIsMissingTooMuchOrOfTheWrongKindIsToldWithWhatIsExpected) {
   expect_told("trace a.mcap --robot three", "mlab trace: --robot: expected a number (N), found `three`");
   expect_told("batch m.mdl --runs", "mlab batch: --runs: expected N behind it");
   expect_told("run m.mdl --limit 3 --limit 4", "mlab run: --limit is given twice: expected it once");
+  expect_told("batch m.mdl --runs 3 --runs 4", "mlab batch: --runs is given twice: expected it once");
+  expect_told("robot --binding simulated --at 1,2,3 --at 1,2,3",
+              "mlab robot: --at is given twice: expected it once");
+  expect_told("robot --binding simulated --at 1,2", "mlab robot: --at: expected X,Y,DEGREES behind it");
   expect_told("--set x=1 run m.mdl", "mlab run: expected `--set` behind the command, not in front of it");
   expect_told("run m.mdl -x", "mlab run: there is no option `-x`");
   expect_told("keys --add a --withdraw b", "mlab keys: --add excludes --withdraw");

@@ -84,7 +84,7 @@ class LiveFleet : public Place {
 RobotProgram standard_robot(bool in_own_processes, const std::string& base_velocity = "0.2",
                             const RobotProgram* built = nullptr) {
   text::Diagnostics sink;
-  const std::vector<robot::Setting> settings = {{"base_velocity", base_velocity, {}}};
+  const std::vector<robot::Setting> settings = {{"base_velocity", base_velocity, {}, {}}};
   robot::ProgramSources sources{.permission = cell::testing::code_permitted()};
   sources.in_own_processes = in_own_processes;
   auto out = robot::load_program("robot", {}, settings, sources, {}, sink, built);

@@ -32,7 +32,7 @@ void add_batch(CLI::App& app, BatchOptions& o) {
         ->expected(1)
         ->allow_extra_args(false)
         ->multi_option_policy(field.is_repeated ? CLI::MultiOptionPolicy::TakeAll
-                                                : CLI::MultiOptionPolicy::TakeLast)
+                                                : CLI::MultiOptionPolicy::Throw)
         ->type_name(std::string(field.value));
   }
   c->add_option("--threads", o.threads, "how many runs at once; the result is the same for any number")

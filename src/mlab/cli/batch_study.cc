@@ -49,8 +49,8 @@ Scenes scenes_of(const study::Definition& definition, const study::Plan& plan,
   }
   study::ReadOnce once;
   for (std::uint32_t version = 0; version < plan.versions(); ++version) {
-    const std::string& file = version == 0 ? definition.mission.text : definition.against.text;
-    const std::string folder = std::filesystem::path(file).parent_path().string();
+    const study::Written& file = version == 0 ? definition.mission : definition.against;
+    const std::string folder = std::filesystem::path(file.text).parent_path().string();
     robot::ProgramSources sources = program_sources(folder, permission);
     sources.limits = limits;
     sources.project = folder.empty() ? "." : folder;

@@ -30,20 +30,20 @@ void add_robot(CLI::App& app, RobotOptions& o) {
   c->add_option("--world", o.world, "overlay of what stands around it; none: nothing does")
       ->check(refuse_if_empty)
       ->type_name("FILE");
-  c->add_option("--at", o.at, "where it starts, and how it looks: X,Y,DEGREES")
+  c->add_option("--at", o.at, "where it starts, and how it looks")
       ->delimiter(',')
       ->default_str("0,0,0")
-      ->type_name("PLACE");
+      ->type_name("X,Y,DEGREES");
   c->add_option("--seed", o.seed, "of its noise")->default_str("1")->type_name("N");
   c->add_option("--key-file", o.key_file,
                 "file with the key that all is signed with: 64 hexadecimal digits, or passphrase:WORDS")
       ->check(CLI::ExistingFile)
       ->type_name("FILE");
   c->add_option("--origin", o.origin,
-                "where the origin of the vehicle's own frame is on the map: X,Y; without it the vehicle "
-                "begins where START puts it")
+                "where the origin of the vehicle's own frame is on the map; without it the vehicle begins "
+                "where START puts it")
       ->delimiter(',')
-      ->type_name("PLACE");
+      ->type_name("X,Y");
   c->add_option("--radius", o.radius, "of the disc that the vehicle takes up [m]")
       ->check(CLI::Range(0.01, 100.0))
       ->type_name("METRES");

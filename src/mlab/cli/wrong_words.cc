@@ -75,7 +75,9 @@ std::string what_is_expected(const CLI::App& command, const CLI::ParseError& err
     return fmt::format("{}: expected a number ({}), found `{}`", name, value, told.substr(given));
   }
   if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ArgumentMismatch)) return told;
-  if (option->get_items_expected_max() == 1 && option->results().size() > 1)
+  const auto most = static_cast<std::size_t>(std::max(option->get_items_expected_max(), 0));
+  const std::size_t given = option->results().size();
+  if (most > 0 && given > most && given % most == 0)
     return fmt::format("{} is given twice: expected it once", name);
   return option->get_items_expected_max() == 0 ? fmt::format("{} takes no value", name)
                                                : fmt::format("{}: expected {} behind it", name, value);

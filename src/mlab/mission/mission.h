@@ -24,6 +24,7 @@ struct RobotParameter {
   std::string key;               ///< case-sensitive
   std::string value;             ///< without quotes; booleans as `1` and `0`
   text::Place place;             ///< of the key
+  text::Place value_place;       ///< of the value
   bool is_from_outside = false;  ///< it stands in no NEW-ROBOT: whoever loads the mission set it
 };
 

@@ -311,7 +311,8 @@ TEST(BoundingOverwatch, FollowsARouteInLanes) {
 TEST(Technique, TakesTheSpacingOfTheRobotType) {
   MissionMaker m;
   const auto unit = m.unit("unit", 2);
-  m.mission().types[0].parameters.push_back({.key = "formation_spacing", .value = "20", .place = {}});
+  m.mission().types[0].parameters.push_back(
+      {.key = "formation_spacing", .value = "20", .place = {}, .value_place = {}});
   ToyFleet fleet(leg(m, unit, Technique::kBoundingOverwatch), {.proceed_all = true});
   watch_leg(fleet, [] {});
   EXPECT_NEAR(geom::distance(fleet.position(1), fleet.position(2)), 20.0, 3.0);

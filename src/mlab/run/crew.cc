@@ -62,7 +62,7 @@ class SaidOfMany {
       return std::ranges::any_of(told, [&](const auto& one) { return std::get<1>(one) == key; });
     };
     for (const auto& [key, parameter] : outside_) {
-      if (!takers_.contains(key) && !is_told(key))
+      if (!takers_.contains(key) && !is_told(key) && !is_told(key_of(parameter.value_place)))
         sink.error("unknown-parameter", parameter.place,
                    fmt::format("no robot of the mission has a parameter `{}`", text::shown(parameter.key)));
     }
@@ -85,9 +85,9 @@ std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& typ
                                                    text::Diagnostics& sink) {
   std::vector<robot::Setting> settings;
   for (const mission::Preset& preset : presets)
-    settings.push_back({std::string(preset.parameter), preset.value, type.place, true});
+    settings.push_back({std::string(preset.parameter), preset.value, type.place, type.place, true});
   for (const mission::RobotParameter& parameter : type.parameters)
-    settings.push_back({parameter.key, parameter.value, parameter.place, false});
+    settings.push_back({parameter.key, parameter.value, parameter.place, parameter.value_place, false});
   const robot::RobotProgram* known = known_program(type, before);
   auto out = robot::load_program(type.program, type.place, settings, sources, vehicle_keys(), sink, known,
                                  type.name);

@@ -70,7 +70,7 @@ std::optional<double> number(std::string_view text) {
 
 // Whether the robot's program has refused the value: one word on it is enough.
 bool is_refused(const mission::RobotParameter& parameter, const text::Diagnostics& sink) {
-  const text::Place& at = parameter.place;
+  const text::Place& at = parameter.value_place;
   return at.source && std::ranges::any_of(sink.items(), [&](const text::Diagnostic& one) {
            return one.severity == text::Severity::kError && one.place.source == at.source &&
                   one.place.span.begin == at.span.begin;
@@ -85,7 +85,7 @@ binding::Drive drive_of(const mission::RobotParameter& parameter, text::Diagnost
   if (upper == "CAR" || upper == "NO_HOLONOMIC") return binding::Drive::kCar;
   constexpr std::string_view kHolonomic[] = {"HOLONOMIC", "SIMULATION", "HSERVER", "MRV2", "DRV1"};
   if (std::find(std::begin(kHolonomic), std::end(kHolonomic), upper) == std::end(kHolonomic)) {
-    sink.warning("unknown-robot-type", parameter.place,
+    sink.warning("unknown-robot-type", parameter.value_place,
                  fmt::format("unknown robot_type `{}`", parameter.value))
         .hints = {"it is simulated as HOLONOMIC; the others are DIFFERENTIAL, SYNCHRO and CAR"};
   }
@@ -135,7 +135,7 @@ binding::BodySpec body_of(const mission::RobotType& type, const std::map<std::st
       if (value && *value >= property.min && *value <= property.max) {
         quantity.set(body, property.is_angle() ? base::radians(*value) : *value);
       } else if (!is_refused(parameter, sink)) {
-        sink.error("out-of-range", parameter.place,
+        sink.error("out-of-range", parameter.value_place,
                    fmt::format("`{}` can't be {}", parameter.key, parameter.value))
             .label = fmt::format("takes a number from {} to {}", property.min, property.max);
       }

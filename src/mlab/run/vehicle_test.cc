@@ -29,11 +29,11 @@ TEST(BodyOf, IsASmallHolonomicDiscWithoutParameters) {
 
 TEST(BodyOf, TakesDriveLimitsAndRing) {
   text::Diagnostics sink;
-  const binding::BodySpec body = body_of(type_with({{"robot_type", "differential", {}},
-                                                    {"robot_radius", "0.5", {}},
-                                                    {"max_turn_rate", "90", {}},
-                                                    {"ring_count", "24", {}},
-                                                    {"ring_range", "3", {}}}),
+  const binding::BodySpec body = body_of(type_with({{"robot_type", "differential", {}, {}},
+                                                    {"robot_radius", "0.5", {}, {}},
+                                                    {"max_turn_rate", "90", {}, {}},
+                                                    {"ring_count", "24", {}, {}},
+                                                    {"ring_range", "3", {}, {}}}),
                                          {}, sink);
   EXPECT_EQ(body.kinematics.drive, binding::Drive::kDifferential);
   EXPECT_EQ(body.radius, 0.5);
@@ -45,18 +45,18 @@ TEST(BodyOf, TakesDriveLimitsAndRing) {
 TEST(BodyOf, SimulatesHistoricRobotTypesAsHolonomicWithoutAWord) {
   text::Diagnostics sink;
   for (const char* historic : {"SIMULATION", "MRV2", "DRV1", "HSERVER"}) {
-    EXPECT_EQ(body_of(type_with({{"robot_type", historic, {}}}), {}, sink).kinematics.drive,
+    EXPECT_EQ(body_of(type_with({{"robot_type", historic, {}, {}}}), {}, sink).kinematics.drive,
               binding::Drive::kHolonomic);
   }
   EXPECT_TRUE(sink.items().empty());
-  body_of(type_with({{"robot_type", "HUMMER", {}}}), {}, sink);
+  body_of(type_with({{"robot_type", "HUMMER", {}, {}}}), {}, sink);
   EXPECT_EQ(sink.warning_count(), 1U);
 }
 
 TEST(BodyOf, RefusesAValueThatIsNoNumberOrOutOfRange) {
   for (const char* value : {"wide", "-1", "nan", "1e9", ""}) {
     text::Diagnostics sink;
-    body_of(type_with({{"robot_radius", value, {}}}), {}, sink);
+    body_of(type_with({{"robot_radius", value, {}, {}}}), {}, sink);
     EXPECT_EQ(sink.error_count(), 1U) << value;
   }
 }
@@ -65,7 +65,7 @@ TEST(BodyOf, TakesWhatAConfigurationSaysUnlessTheMissionSaysOtherwise) {
   text::Diagnostics sink;
   const std::map<std::string, double> configured = {
       {"radius", 0.4}, {"drive", 3.0}, {"max_turn_rate", 1.5}, {"ring_arc", 3.0}, {"ring_obstacles", 1.0}};
-  const binding::BodySpec body = body_of(type_with({{"robot_radius", "0.6", {}}}), configured, sink);
+  const binding::BodySpec body = body_of(type_with({{"robot_radius", "0.6", {}, {}}}), configured, sink);
   EXPECT_EQ(body.radius, 0.6);
   EXPECT_EQ(body.kinematics.drive, binding::Drive::kSynchro);
   EXPECT_EQ(body.kinematics.max_turn_rate, 1.5);
@@ -77,13 +77,15 @@ TEST(BodyOf, TakesWhatAConfigurationSaysUnlessTheMissionSaysOtherwise) {
 
 TEST(BodyOf, SaysNothingMoreOfAValueThatTheProgramRefused) {
   const auto source = std::make_shared<const text::Source>("m.mdl", "robot_radius=-1");
-  const text::Place place{source, {0, 15}};
+  const text::Place key{source, {0, 12}};
+  const text::Place place{source, {13, 15}};
   text::Diagnostics sink;
-  body_of(type_with({{"robot_radius", "-1", place}}), {}, sink);
-  EXPECT_EQ(sink.error_count(), 1U) << "nobody refused it before";
+  body_of(type_with({{"robot_radius", "-1", key, place}}), {}, sink);
+  ASSERT_EQ(sink.error_count(), 1U) << "nobody refused it before";
+  EXPECT_EQ(source->text(sink.items()[0].place.span), "-1");
   text::Diagnostics refused;
   refused.error("bad-parameter", place, "-1 is out of range");
-  body_of(type_with({{"robot_radius", "-1", place}}), {}, refused);
+  body_of(type_with({{"robot_radius", "-1", key, place}}), {}, refused);
   EXPECT_EQ(refused.error_count(), 1U);
 }
 

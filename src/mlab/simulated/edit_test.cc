@@ -147,7 +147,7 @@ TEST(Edit, ChangesOfParametersReachRobotsThatAreUnderWay) {
   run.post(mission::event::Execute{});
   for (int i = 0; i < 5; ++i) run.step();
   auto slow = two_robots();
-  slow->types[0].parameters.push_back({"base_velocity", "0.5", {}});
+  slow->types[0].parameters.push_back({"base_velocity", "0.5", {}, {}});
   const auto slow_crew = make_crew(slow, {}, sink, crew.get());
   ASSERT_NE(slow_crew, nullptr);
   EXPECT_EQ(slow_crew->programs[0].program, crew->programs[0].program) << "not built again";

@@ -73,10 +73,10 @@ TEST(NamedPlace, IsWhereTheOverlayHasIt) {
 
 TEST(NamedPlace, IsSetByTheMissionToAnotherOneOrToCoordinates) {
   text::Diagnostics sink;
-  const auto named = run_with({.parameters = {{"home", "Mill", {}}}}, sink);
+  const auto named = run_with({.parameters = {{"home", "Mill", {}, {}}}}, sink);
   ASSERT_NE(named, nullptr) << text::render(sink);
   EXPECT_EQ(value_in(*named, "home"), "{30, 40}");
-  const auto told = run_with({.parameters = {{"home", "5 6", {}}}, .has_gate = false}, sink);
+  const auto told = run_with({.parameters = {{"home", "5 6", {}, {}}}, .has_gate = false}, sink);
   ASSERT_NE(told, nullptr) << text::render(sink);
   EXPECT_EQ(value_in(*told, "home"), "{6, 8}");
 }
@@ -89,9 +89,11 @@ TEST(NamedPlace, ThatIsNotThereIsToldWhereItIsNamed) {
   EXPECT_EQ(sink.items()[0].message, "the mission has no place `Gate`");
   EXPECT_EQ(sink.items()[0].place.source->text(sink.items()[0].place.span), "place(\"Gate\")");
   text::Diagnostics wrong;
-  EXPECT_EQ(run_with({.parameters = {{"home", "Mil", {}}}}, wrong), nullptr);
+  const auto set = std::make_shared<const text::Source>("--set", "home=Mil");
+  EXPECT_EQ(run_with({.parameters = {{"home", "Mil", {set, {0, 4}}, {set, {5, 8}}}}}, wrong), nullptr);
   ASSERT_EQ(wrong.items().size(), 1U);
   EXPECT_EQ(wrong.items()[0].kind, "bad-parameter");
+  EXPECT_EQ(set->text(wrong.items()[0].place.span), "Mil");
   EXPECT_EQ(wrong.items()[0].hints, std::vector<std::string>{"did you mean `Mill`?"});
 }
 

@@ -33,7 +33,8 @@ void Batch::take(std::vector<Row> rows) {
   const std::lock_guard lock(mutex_);
   for (Row& row : rows) {
     const bool is_planned = row.key.version < plan_.versions() &&
-                            row.key.combination < plan_.combinations() && row.key.run < plan_.runs();
+                            row.key.combination < plan_.combinations() && row.key.run < plan_.runs() &&
+                            row.seed == plan_.seed(row.key.run);
     if (is_planned) count(std::move(row));
   }
   before_ = progress().done;

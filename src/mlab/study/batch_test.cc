@@ -43,9 +43,9 @@ struct Made {
     EXPECT_FALSE(settle(definition));
     plan = std::make_unique<Plan>(definition);
     for (std::uint32_t version = 0; version < plan->versions(); ++version) {
-      const std::string& file = version == 0 ? definition.mission.text : definition.against.text;
+      const Written& file = version == 0 ? definition.mission : definition.against;
       robot::ProgramSources sources;
-      sources.folder = fs::path(file).parent_path().string();
+      sources.folder = fs::path(file.text).parent_path().string();
       mdl::LoadOptions around;
       around.files = once.files();
       run::RunSettings manner;
@@ -144,6 +144,31 @@ TEST_F(KeptFile, MakesAnInterruptedBatchTheSame) {
   }
 }
 
+TEST(Batch, SaysWhereAFileIsNamedThatIsNotThere) {
+  Definition definition;
+  const auto source = std::make_shared<const text::Source>("study.toml", "mission = \"none.mdl\"");
+  definition.mission = {"none.mdl", {source, {11, 19}}};
+  const Plan plan(definition);
+  Scene scene(definition, plan, definition.mission, {}, {}, {});
+  text::Diagnostics sink;
+  EXPECT_FALSE(scene.prepare(sink));
+  ASSERT_EQ(sink.items().size(), 1U);
+  EXPECT_EQ(source->text(sink.items()[0].place.span), "none.mdl");
+}
+
+// A line may be damaged and a line all the same.
+TEST(Batch, TakesNoRunOfAnotherSeed) {
+  Made made(kSome);
+  Row row;
+  row.outcome = "done";
+  row.seed = 2;
+  made.batch->take({row});
+  EXPECT_EQ(made.batch->progress().done, 0U);
+  row.seed = 1;
+  made.batch->take({row});
+  EXPECT_EQ(made.batch->progress().done, 1U);
+}
+
 std::set<std::string> files_in(const std::string& folder) {
   std::set<std::string> out;
   for (const auto& entry : fs::directory_iterator(folder)) out.insert(entry.path().filename().string());
@@ -223,6 +248,37 @@ TEST_F(KeptFile, IsLeftAloneWhereItIsOfAnotherBatchOrNone) {
   EXPECT_EQ(again->rows[0].seed, row.seed);
 }
 
+// After a power failure, say.
+TEST_F(KeptFile, CountsAsFarAsItCanBeRead) {
+  Row row;
+  row.outcome = "done";
+  const std::string head = header_line(identity_);
+  std::string lines;
+  for (row.key.run = 0; row.key.run < 2; ++row.key.run) lines += row_line(row);
+  const std::string all = head + lines + std::string(40, '\0') + "\n{\"key\":[0,0\n" + row_line(row);
+  std::ofstream(path_) << all;
+  auto opened = ResultsFile::open(path_, identity_, true);
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(opened->rows.size(), 3U);
+  EXPECT_EQ(fs::file_size(path_), all.size()) << "nothing of it is thrown away";
+  EXPECT_EQ(damage_in(path_), std::vector<std::string>{path_ + ": 2 lines can't be read, the first of them "
+                                                               "line 4: what stood there is done again"});
+  opened->file.reset();
+  const std::string part = rank_file(path_, 2);
+  std::ofstream(part) << "{\"mlab_b\n" << lines;
+  std::ofstream(path_) << head << lines;
+  EXPECT_EQ(damage_in(path_),
+            std::vector<std::string>{part + ": line 1 can't be read, by which it is known of which batch it "
+                                            "is: the runs in it are done again"});
+  EXPECT_EQ(ResultsFile::open(path_, identity_, true)->rows.size(), 2U);
+  fs::remove(part);
+  std::ofstream(path_) << "{\"mlab_b\n" << lines;
+  const auto refused = ResultsFile::open(path_, identity_, true);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().find("its first line is damaged"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().find("move it away"), std::string::npos) << refused.error();
+}
+
 TEST_F(KeptFile, RefusesWhatIsNoneOfOurs) {
   for (const char* text :
        {"my diary\n", "my diary", "{\"mlab_batch\":1}\n", "{}\n[]\n", "\n", "mission,seed\r\n1,2\r\n"}) {
@@ -286,6 +342,7 @@ TEST(Tables, QuoteWhatNeedsIt) {
   Made made({{"runs", "2"}, {"set", "formation_spacing=5"}, {"success", "outcome == aborted"}});
   made.definition.dimensions[0].name.text = "a \"b\", c";
   Row row;
+  row.seed = 1;
   row.outcome = "failed";
   row.cause = "line\nbreak";
   made.batch->take({row});

@@ -146,6 +146,7 @@ text::Result<Dimension> dimension_of(Written name, const Written& values) {
   out.name = std::move(name);
   if (const auto between = drawn_between(values.text)) {
     std::tie(out.low, out.high) = *between;
+    out.drawn_place = values.place;
     if (out.low < out.high) return out;
     return wrong("empty-range", values.place,
                  fmt::format("nothing can be drawn between {} and {}", out.low, out.high));

@@ -28,6 +28,7 @@ struct Dimension {
   std::vector<Written> values;  ///< one after the other; empty: each run draws its own
   double low = 0.0;             ///< between these, where it is drawn
   double high = 0.0;
+  text::Place drawn_place;  ///< where the two are written
 
   bool is_drawn() const { return values.empty(); }
 };

@@ -84,7 +84,7 @@ std::vector<mdl::Setting> Plan::settings(const RunKey& key) const {
   std::vector<mdl::Setting> out;
   for (std::size_t i = 0; i < definition_.dimensions.size(); ++i) {
     const Dimension& one = definition_.dimensions[i];
-    out.push_back(setting_of(one, one.is_drawn() ? Written{shortest(drawn(i, key.run)), one.name.place}
+    out.push_back(setting_of(one, one.is_drawn() ? Written{shortest(drawn(i, key.run)), one.drawn_place}
                                                  : of_seed(listed(i, key.combination), seed(key.run))));
   }
   return out;
@@ -104,7 +104,7 @@ std::vector<mdl::Setting> Plan::extremes(std::uint32_t combination, bool highest
   for (std::size_t i = 0; i < definition_.dimensions.size(); ++i) {
     const Dimension& one = definition_.dimensions[i];
     const double end = highest ? one.high : one.low;
-    out.push_back(setting_of(one, one.is_drawn() ? Written{shortest(end), one.name.place}
+    out.push_back(setting_of(one, one.is_drawn() ? Written{shortest(end), one.drawn_place}
                                                  : of_seed(listed(i, combination), seed(0))));
   }
   return out;

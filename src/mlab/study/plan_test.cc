@@ -82,6 +82,16 @@ TEST(Plan, DrawsTheSameForAllCombinationsAndWhateverElseIsSet) {
   EXPECT_EQ(text_of(plan.settings(0)), "a=1");
 }
 
+// What a mission does not take of them is told there.
+TEST(Plan, KnowsWhereDrawnValuesAreWritten) {
+  const Definition d = defined({{"set", "v=1..2"}});
+  const Plan plan(d);
+  for (const mdl::Setting& one : {plan.settings(RunKey{})[0], plan.extremes(0, true)[0]}) {
+    EXPECT_EQ(one.name_place.source->text(one.name_place.span), "v");
+    EXPECT_EQ(one.value_place.source->text(one.value_place.span), "1..2");
+  }
+}
+
 TEST(Plan, FillsALatinHypercube) {
   const Definition d = defined({{"set", "v=10..20"}, {"set", "w=0..1"}, {"draw", "latin"}, {"runs", "40"}});
   const Plan plan(d);

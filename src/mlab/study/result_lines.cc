@@ -146,7 +146,10 @@ std::expected<Contents, std::string> understand(std::string_view all) {
     const std::string_view text = all.substr(out.size, end - out.size);
     if (++line == 1) {
       auto header = end == std::string_view::npos ? std::nullopt : header_in(text);
-      if (!header) return std::unexpected("is no file of a batch's results, and is left alone");
+      if (!header)
+        return std::unexpected(
+            "is no file of a batch's results, or its first line is damaged, which says of which batch they "
+            "are; it is left alone: to begin anew move it away, or name another file by --results");
       out.header = std::move(*header);
     } else if (end != std::string_view::npos) {
       const Json json = Json::parse(text, nullptr, false);
@@ -155,7 +158,7 @@ std::expected<Contents, std::string> understand(std::string_view all) {
       } else if (auto row = row_in(json)) {
         out.rows.push_back(std::move(*row));
       } else if (!recording_in(json)) {
-        return std::unexpected(fmt::format("has something else than a run in line {}", line));
+        if (out.damaged++ == 0) out.first_damaged = line;
       }
     }
     if (end == std::string_view::npos) break;

@@ -39,9 +39,11 @@ struct Contents {
   Identity header;
   std::vector<Row> rows;
   bool is_over = false;
-  std::size_t size = 0;  ///< of whole lines
+  std::size_t size = 0;           ///< of whole lines
+  std::size_t damaged = 0;        ///< lines that say nothing, after a power failure, say
+  std::size_t first_damaged = 0;  ///< its line, from 1
 };
-/// @errors  a sentence about the file
+/// @errors  a sentence about the file: its first line is none of ours
 std::expected<Contents, std::string> understand(std::string_view all);
 
 /// The runs in lines that somebody may be writing now. What is no run is passed over.

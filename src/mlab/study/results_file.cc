@@ -10,6 +10,8 @@
 
 #include <fmt/core.h>
 
+#include "mlab/base/counted.h"
+
 namespace mlab::study {
 namespace {
 
@@ -87,6 +89,29 @@ std::map<RunKey, std::string> kept_recordings(const std::string& path) {
     const auto file = LockedFile::open_existing(name);
     for (auto& [key, recording] : recordings_in(file ? file->read().value_or("") : ""))
       out.insert_or_assign(key, std::move(recording));
+  }
+  return out;
+}
+
+std::vector<std::string> damage_in(const std::string& path) {
+  std::vector<std::string> out;
+  std::vector<std::string> files = rank_files(path);
+  files.insert(files.begin(), path);
+  for (const std::string& name : files) {
+    const auto file = LockedFile::open_existing(name);
+    const std::string all = file ? file->read().value_or("") : "";
+    if (all.find('\n') == std::string::npos) continue;
+    const auto contents = understand(all);
+    if (!contents)
+      out.push_back(
+          fmt::format("{}: line 1 can't be read, by which it is known of which batch it is: the runs "
+                      "in it are done again",
+                      name));
+    else if (contents->damaged > 0)
+      out.push_back(fmt::format("{}: {} can't be read{} line {}: what stood there is done again", name,
+                                base::counted(contents->damaged, "line"),
+                                contents->damaged == 1 ? ":" : ", the first of them",
+                                contents->first_damaged));
   }
   return out;
 }

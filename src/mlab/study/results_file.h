@@ -78,6 +78,8 @@ struct ResultsFile::Opened {
 std::string rank_file(const std::string& path, std::uint32_t number);
 std::vector<std::string> rank_files(const std::string& path);
 void remove_rank_files(const std::string& path);
+/// What can't be read in the file of a batch, and in those beside it; a sentence for each file.
+std::vector<std::string> damage_in(const std::string& path);
 /// What stands of recordings in the file of a batch, and in those beside it.
 std::map<RunKey, std::string> kept_recordings(const std::string& path);
 

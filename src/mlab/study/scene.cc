@@ -42,8 +42,18 @@ std::uint64_t ReadOnce::fingerprint() const {
   return out;
 }
 
-Scene::Scene(const Definition& definition, const Plan& plan, std::string mission_file,
-             mdl::LoadOptions around, robot::ProgramSources sources, run::RunSettings manner)
+namespace {
+
+// A file that a definition names is missing where it is named.
+void report_unread(text::Diagnostic problem, const Written& named, text::Diagnostics& sink) {
+  if (!problem.place.source) problem.place = named.place;
+  sink.report(std::move(problem));
+}
+
+}  // namespace
+
+Scene::Scene(const Definition& definition, const Plan& plan, Written mission_file, mdl::LoadOptions around,
+             robot::ProgramSources sources, run::RunSettings manner)
     : definition_(definition),
       plan_(plan),
       file_(std::move(mission_file)),
@@ -60,12 +70,16 @@ std::shared_ptr<const run::Crew> Scene::read(std::uint64_t seed, std::vector<mdl
   mdl::LoadOptions around = around_;
   around.seed = seed;
   around.settings = std::move(settings);
-  const std::shared_ptr<const mission::Mission> mission = mdl::load_mission(file_, sink, around);
+  if (const auto source = around_.files.read(file_.text); !source) {
+    report_unread(source.error(), file_, sink);
+    return nullptr;
+  }
+  const std::shared_ptr<const mission::Mission> mission = mdl::load_mission(file_.text, sink, around);
   if (!mission) return nullptr;
   if (!definition_.environment.empty()) {
     const text::Result<text::SourcePtr> source = around_.files.read(definition_.environment.text);
     if (!source) {
-      sink.report(source.error());
+      report_unread(source.error(), definition_.environment, sink);
       return nullptr;
     }
     auto changes = envchange::parse(*source, mission->overlay.origin, sink);

@@ -40,7 +40,7 @@ class Scene {
  public:
   /// @param around   what the mission is read with; its `files` read everything else as well
   /// @param manner   of all runs, but for seed and environment
-  Scene(const Definition& definition, const Plan& plan, std::string mission_file, mdl::LoadOptions around,
+  Scene(const Definition& definition, const Plan& plan, Written mission_file, mdl::LoadOptions around,
         robot::ProgramSources sources, run::RunSettings manner);
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -62,7 +62,7 @@ class Scene {
 
   const Definition& definition_;
   const Plan& plan_;
-  std::string file_;
+  Written file_;
   std::string name_;
   mdl::LoadOptions around_;
   robot::ProgramSources sources_;

@@ -167,9 +167,14 @@ class StudyReader {
         sink_.error("expected", place_of(node.source()), "expected values, and the list is empty");
         return;
       }
-      Dimension out{name, {}, 0.0, 0.0};
+      Dimension out{name, {}, 0.0, 0.0, {}};
       for (const toml::node& one : *list) {
-        if (auto value = scalar(one)) out.values.push_back(std::move(*value));
+        std::optional<Written> value = scalar(one);
+        if (!value) continue;
+        if (value->empty())
+          sink_.error("empty-value", value->place,
+                      fmt::format("`{}` has a value that is empty", text::shown(name.text)));
+        out.values.push_back(std::move(*value));
       }
       definition_.dimensions.push_back(std::move(out));
       return;

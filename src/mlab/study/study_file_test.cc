@@ -96,6 +96,9 @@ TEST(StudyFile, SaysWhatIsWrongWithLineAndColumn) {
   EXPECT_NE(told("[set]\nv = []\n").find("study.toml:2:5: error: expected values, and the list is empty"),
             std::string::npos)
       << told("[set]\nv = []\n");
+  EXPECT_NE(told("[set]\nv = [1, \"\"]\n").find("study.toml:2:10: error: `v` has a value that is empty"),
+            std::string::npos)
+      << told("[set]\nv = [1, \"\"]\n");
   const std::string ordered = told("runs = 0\ncombine = \"all\"\nagain = 1\n");
   EXPECT_LT(ordered.find("study.toml:1:"), ordered.find("study.toml:2:")) << ordered;
   EXPECT_LT(ordered.find("study.toml:2:"), ordered.find("study.toml:3:")) << ordered;

@@ -10,7 +10,7 @@ namespace mlab::text {
 std::string markup(std::string_view text);
 
 /// A text as one field of comma-separated values (RFC 4180): as it is where that will do, else in double
-/// quotes.
+/// quotes. What a spreadsheet would take for a formula, `=1+1`, has an apostrophe before it.
 std::string csv_field(std::string_view text);
 
 }  // namespace mlab::text

@@ -236,6 +236,12 @@ int conclude(const BatchOptions& options, const study::Definition& definition, c
   return summary.are_all_met() ? kDone : kFailed;
 }
 
+// Of files that count all the same, as far as they can be read.
+void tell_damage(const Part& part) {
+  if (part.results.empty() || part.share.rank > 0) return;
+  for (const std::string& one : study::damage_in(part.results)) fmt::print(stderr, "mlab batch: {}\n", one);
+}
+
 // What is only a warning is said by one of several processes.
 void tell_of(const text::Diagnostics& sink, const Part& part) {
   if (part.share.rank == 0 || sink.has_errors()) tell(sink);
@@ -261,6 +267,7 @@ int run_batch(const BatchOptions& options, const study::Definition& definition, 
   }
   if (!open_results(part, identity_of(definition, scenes.texts), options.resumes || options.merges))
     return kBadInput;
+  tell_damage(part);
   study::Batch batch(definition, plan, scenes.all, part.keeper(), part.share);
   batch.take(std::move(part.before));
   const double began = steady_seconds();

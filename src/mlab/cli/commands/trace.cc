@@ -201,6 +201,12 @@ bool find_columns(const RecordedRun& recorded, const TraceOptions& options, Colu
     return false;
   const std::vector<std::string> known = columns.known();
   if (known.empty() && has_closed) return false;
+  if (known.empty() && options.robots.empty() && run.fleet().robots().empty()) {
+    fmt::print(stderr,
+               "mlab trace: there are no robots where this run begins, and so no ports; --robot N shows one "
+               "that comes later\n");
+    return false;
+  }
   for (const std::string& pattern : columns.patterns_of_nothing()) {
     const std::string nearest = text::nearest_name(pattern, known);
     fmt::print(stderr, "mlab trace: --ports '{}': no port of these robots matches{}\n",

@@ -65,8 +65,8 @@ bool Access::is_from_us(const HttpRequest& request) const {
 }
 
 bool Access::has_token(const HttpRequest& request) const {
-  constexpr std::string_view kBearer = "Bearer ";
-  if (request.authorization.starts_with(kBearer))
+  constexpr std::string_view kBearer = "bearer ";  // in any letter case (RFC 9110, 11.1)
+  if (lower(std::string_view(request.authorization).substr(0, kBearer.size())) == kBearer)
     return is_same_token(request.authorization.substr(kBearer.size()), token_);
   return is_same_token(request.parameter("token"), token_);
 }

@@ -68,6 +68,7 @@ TEST(Access, TheTokenStandsInTheAddressOrTheHeader) {
   EXPECT_TRUE(is_known("/?token=secret"));
   EXPECT_TRUE(is_known("/x?a=b&token=secret&c"));
   EXPECT_TRUE(is_known("/", "Bearer secret"));
+  EXPECT_TRUE(is_known("/", "bearer secret")) << "a scheme's letter case says nothing (RFC 9110, 11.1)";
   for (const char* target :
        {"/", "/?", "/?token", "/?token=", "/?token=Secret", "/?token=secret1", "/?token=secre",
         "/?xtoken=secret", "/?token=wrong&token=secret", "/?TOKEN=secret", "/token=secret", "?&&=&"})

@@ -88,6 +88,7 @@ TEST(MdlRobots, KeepTheTextOfTheirParameters) {
   EXPECT_EQ(type.parameters[2].value, "HUMMER");
   EXPECT_EQ(type.parameters[3].value, "a b");
   EXPECT_EQ(mission->source->text(type.parameters[2].place.span), "z");
+  EXPECT_EQ(mission->source->text(type.parameters[2].value_place.span), "HUMMER");
   EXPECT_EQ(mission->types[0].name, "ROBOT");
 }
 

@@ -96,7 +96,7 @@ bool Roster::define_type(const statement::NewRobot& statement) {
   }
   type.place = place(statement.program.span);
   for (const Parameter& p : statement.parameters) {
-    type.parameters.push_back({p.key.text, p.value, place(p.key.span)});
+    type.parameters.push_back({p.key.text, p.value, place(p.key.span), place(p.value_span)});
   }
   if (read_society_) {
     const std::size_t errors = diagnostics_.error_count();
@@ -234,7 +234,7 @@ std::optional<std::uint32_t> Roster::wished_id(const mission::RobotType& type) {
     std::from_chars(p.value.data(), p.value.data() + p.value.size(), value);
     const bool is_good = value >= 0.0 && value <= kMaxWishedId && value == static_cast<std::uint32_t>(value);
     if (!is_good) {
-      diagnostics_.error("number-out-of-range", p.place,
+      diagnostics_.error("number-out-of-range", p.value_place,
                          fmt::format("desired_robot_id takes a whole number from 0 to {}, found {}",
                                      kMaxWishedId, in_backticks(p.value)));
       continue;

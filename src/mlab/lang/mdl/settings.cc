@@ -195,7 +195,8 @@ void Settings::set_parameters(mission::Mission& mission, bool is_damaged) {
       error.label = fmt::format("the mission has {}", listed(known, " and "));
     }
     for (mission::RobotType* type : types)
-      type->parameters.push_back({std::string(kept.name), setting.value, setting.name_place, true});
+      type->parameters.push_back(
+          {std::string(kept.name), setting.value, setting.name_place, setting.value_place, true});
   }
 }
 

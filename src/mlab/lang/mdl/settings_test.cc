@@ -55,6 +55,8 @@ TEST_F(MdlSettings, AddAParameterToAllTypesOrToOne) {
   for (const mission::RobotType& type : all->types) {
     EXPECT_EQ(type.parameters.back().key, "base_velocity");
     EXPECT_EQ(type.parameters.back().value, "2.5");
+    const text::Place& at = type.parameters.back().value_place;
+    EXPECT_EQ(at.source->text(at.span), "2.5");
     EXPECT_TRUE(type.parameters.back().is_from_outside);
   }
   const auto one = read(types + kQuit, {{"SCOUT:base_velocity", "2.5"}});

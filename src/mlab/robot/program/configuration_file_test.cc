@@ -55,7 +55,7 @@ TEST(LoadConfiguration, BuildsTheRobotOfAFile) {
   const Folder folder;
   folder.write("wanderer.cdl", kWanderer);
   text::Diagnostics sink;
-  const auto robot = load(folder, "wanderer.cdl", "anything", sink, {{"pace", "3", {}}});
+  const auto robot = load(folder, "wanderer.cdl", "anything", sink, {{"pace", "3", {}, {}}});
   ASSERT_TRUE(robot) << text::render(sink);
   EXPECT_TRUE(sink.items().empty()) << text::render(sink);
   EXPECT_DOUBLE_EQ(robot->body.at("radius"), 0.35);

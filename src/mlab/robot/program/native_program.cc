@@ -55,7 +55,7 @@ void say_results(const NativeProgram& native, std::span<const Setting> asked, co
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const wire::SettingResult& result = native.description.results(static_cast<int>(i));
     if (!result.problem().empty())
-      sink.error("bad-parameter", asked[i].place, text::shown(result.problem(), 200));
+      sink.error("bad-parameter", asked[i].value_place, text::shown(result.problem(), 200));
     if (!result.is_unknown() || asked[i].is_preset) continue;
     if (std::ranges::find(known_keys, asked[i].key) != known_keys.end()) continue;  // the body's
     std::vector<std::string> names = known_keys;

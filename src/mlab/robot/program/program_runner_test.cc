@@ -16,7 +16,7 @@ namespace {
 // @param built  the program of another version
 RobotProgram standard_robot(const std::string& base_velocity, const RobotProgram* built = nullptr) {
   text::Diagnostics sink;
-  const std::vector<Setting> settings = {{"base_velocity", base_velocity, {}}};
+  const std::vector<Setting> settings = {{"base_velocity", base_velocity, {}, {}}};
   auto out = load_program("robot", {}, settings, {cell::testing::code_permitted()}, {}, sink, built);
   EXPECT_TRUE(out) << text::render(sink);
   return out ? std::move(*out) : RobotProgram{};

@@ -107,7 +107,7 @@ void set_parameters(std::span<const Setting> settings, const std::vector<std::st
     const std::string value =
         places == nullptr ? parameter.value : in_coordinates(*port, parameter.value, *places);
     if (const auto problem = robot.program->set(robot.initial.data(), *port, value)) {
-      text::Diagnostic& d = sink.error("bad-parameter", parameter.place, *problem);
+      text::Diagnostic& d = sink.error("bad-parameter", parameter.value_place, *problem);
       if (places != nullptr && port->type->kind == flow::TypeKind::kPoint)
         places->explain(parameter.value, d);
     }

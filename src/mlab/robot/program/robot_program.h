@@ -31,7 +31,8 @@ namespace mlab::robot {
 struct Setting {
   std::string key;
   std::string value;
-  text::Place place;       ///< of the key
+  text::Place place;  ///< of the key
+  text::Place value_place;
   bool is_preset = false;  ///< of programs that have it; others are not told
 };
 

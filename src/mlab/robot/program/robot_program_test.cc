@@ -37,7 +37,7 @@ TEST(LoadProgram, KnowsTheStandardRobotByItsHistoricNames) {
 
 TEST(LoadProgram, SetsParametersAndLeavesTheOthersAtTheirDefaults) {
   text::Diagnostics sink;
-  const auto robot = load("robot", {{"base_velocity", "0.1", {}}, {"robot_type", "MRV2", {}}}, sink);
+  const auto robot = load("robot", {{"base_velocity", "0.1", {}, {}}, {"robot_type", "MRV2", {}, {}}}, sink);
   ASSERT_TRUE(robot);
   EXPECT_DOUBLE_EQ(parameter(*robot, "base_velocity"), 0.1);
   EXPECT_DOUBLE_EQ(parameter(*robot, "max_velocity"), 7.0);
@@ -46,7 +46,7 @@ TEST(LoadProgram, SetsParametersAndLeavesTheOthersAtTheirDefaults) {
 
 TEST(LoadProgram, WarnsAboutAnUnknownParameterWithTheNearestName) {
   text::Diagnostics sink;
-  const auto robot = load("robot", {{"base_velocty", "0.1", {}}}, sink);
+  const auto robot = load("robot", {{"base_velocty", "0.1", {}, {}}}, sink);
   ASSERT_TRUE(robot);
   ASSERT_EQ(sink.warning_count(), 1U);
   EXPECT_EQ(sink.items()[0].hints, (std::vector<std::string>{"did you mean `base_velocity`?"}));
@@ -54,8 +54,8 @@ TEST(LoadProgram, WarnsAboutAnUnknownParameterWithTheNearestName) {
 
 TEST(LoadProgram, RefusesAValueThatAParameterCannotTake) {
   text::Diagnostics sink;
-  EXPECT_FALSE(load("robot", {{"base_velocity", "fast", {}}}, sink));
-  EXPECT_FALSE(load("robot", {{"base_velocity", "-3", {}}}, sink));
+  EXPECT_FALSE(load("robot", {{"base_velocity", "fast", {}, {}}}, sink));
+  EXPECT_FALSE(load("robot", {{"base_velocity", "-3", {}, {}}}, sink));
   EXPECT_EQ(sink.error_count(), 2U);
 }
 
@@ -75,7 +75,7 @@ TEST(LoadProgram, BuildsANetworkFromAFileBesideTheMission) {
       << "parameter double pace = 1;\nnode ahead is MoveForward with amount = pace; nend\n"
          "node wheels is Drive with v = ahead; nend\n";
   text::Diagnostics sink;
-  const auto robot = load("runner.cnl", {{"pace", "2", {}}}, sink, {{}, folder.string()});
+  const auto robot = load("runner.cnl", {{"pace", "2", {}, {}}}, sink, {{}, folder.string()});
   ASSERT_TRUE(robot) << text::render(sink);
   EXPECT_DOUBLE_EQ(parameter(*robot, "pace"), 2.0);
   EXPECT_FALSE(load("missing.cnl", {}, sink, {{}, folder.string()}));
