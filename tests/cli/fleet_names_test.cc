@@ -35,6 +35,18 @@ TEST_F(Command, NoNameIsAPath) {
   }
 }
 
+// Whoever leaves a name out must not get a fleet that is not secured.
+TEST_F(Command, NoOptionIsTakenForAName) {
+  for (const std::string command :
+       {"agent --fleet --secure", "agent --fleet alpha --name --secure", "fleet alpha --log --secure",
+        "run x.mdl --headless --robots fleet --fleet --secure"}) {
+    const Outcome o = mlab(command, "timeout 30");
+    EXPECT_EQ(o.status, 2) << command << o.out;
+    EXPECT_TRUE(has(o.err, "`--secure` can't be a name here: it begins as an option does"))
+        << command << ": " << o.err;
+  }
+}
+
 TEST_F(Command, NamesThatCanNotBeAreShownOnOneLine) {
   for (const std::string command : {"fleet $'a\\nb\\x1b[2J' --once", "keys $'a\\nb\\x1b[2J'",
                                     "agent --fleet $'a\\nb\\x1b[2J'", "agent --name $'a\\nb\\x1b[2J'"}) {

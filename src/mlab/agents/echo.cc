@@ -32,8 +32,8 @@ bool is_clock_known(const LinkQuality& link) {
   return std::abs(link.clock_offset) > link.round_trip / 2.0 && std::abs(link.clock_offset) >= kLeast;
 }
 
-void LinkHistory::asked(std::uint64_t number) {
-  questions_.push_back({.number = number});
+void LinkHistory::asked(std::uint64_t number, Clock::time_point now) {
+  questions_.push_back({.number = number, .asked = now});
   if (questions_.size() > kKept) questions_.pop_front();
 }
 
@@ -41,22 +41,27 @@ void LinkHistory::answered(std::uint64_t number, double round_trip, double clock
   if (!(round_trip >= 0.0) || round_trip > kLongestRoundTrip) return;
   const auto at = std::ranges::find(questions_, number, &Question::number);
   if (at == questions_.end() || at->has_answer) return;
-  *at = {number, true, round_trip, clock_offset};
+  at->has_answer = true;
+  at->round_trip = round_trip;
+  at->clock_offset = clock_offset;
   // What was asked before both had found each other was not lost on the way.
   if (!std::exchange(has_met_, true)) questions_.erase(questions_.begin(), at);
 }
 
-std::optional<LinkQuality> LinkHistory::quality() const {
+std::optional<LinkQuality> LinkHistory::quality(Clock::time_point now) const {
   LinkQuality out;
   std::size_t answers = 0;
-  for (const Question& one : questions_) {
+  std::size_t due = 0;
+  for (std::size_t i = 0; i < questions_.size(); ++i) {
+    const Question& one = questions_[i];
+    // Answers don't overtake each other: with the answer of a later one all before it are due.
+    if (one.has_answer || now - one.asked >= kPatience) due = i + 1;
     if (!one.has_answer) continue;
     if (answers++ > 0 && one.round_trip >= out.round_trip) continue;
     out.round_trip = one.round_trip;
     out.clock_offset = one.clock_offset;
   }
   if (answers == 0) return std::nullopt;
-  const std::size_t due = questions_.size() - (questions_.back().has_answer ? 0 : 1);
   out.lost = 1.0 - static_cast<double>(answers) / static_cast<double>(due);
   return out;
 }
@@ -65,9 +70,9 @@ std::expected<std::unique_ptr<EchoProbe>, std::string> EchoProbe::open(std::shar
   auto waiter = dds::Waiter::make();
   if (!waiter) return std::unexpected(waiter.error());
   dds::Participant& participant = roster->participant();
-  auto reader = participant.reader(kEchoTopic, dds::ChannelKind::kLivePercepts, *waiter);
+  auto reader = participant.reader(kEchoTopic, dds::ChannelKind::kEchoes, *waiter);
   if (!reader) return std::unexpected(reader.error());
-  auto writer = participant.writer(kEchoQuestionTopic, dds::ChannelKind::kLivePercepts);
+  auto writer = participant.writer(kEchoQuestionTopic, dds::ChannelKind::kEchoes);
   if (!writer) return std::unexpected(writer.error());
   return std::unique_ptr<EchoProbe>(
       new EchoProbe(std::move(roster), std::move(*waiter), std::move(*reader), std::move(*writer)));
@@ -85,8 +90,9 @@ EchoProbe::EchoProbe(std::shared_ptr<Roster> roster, dds::Waiter waiter, dds::Re
 }
 
 void EchoProbe::ask() {
+  const Clock::time_point now = Clock::now();
   for (const Member& agent : roster_->members()) {
-    if (agent.state != Member::State::kGone) links_[agent.said.name()].asked(number_ + 1);
+    if (agent.state != Member::State::kGone) links_[agent.said.name()].asked(number_ + 1, now);
   }
   asked_[++number_] = {Clock::now(), WallClock::now()};
   if (asked_.size() > LinkHistory::kKept) asked_.erase(asked_.begin());
@@ -123,14 +129,14 @@ void EchoProbe::take(const dds::Arrival& arrival) {
 
 std::optional<LinkQuality> EchoProbe::quality(const std::string& agent) const {
   const auto at = links_.find(agent);
-  return at == links_.end() ? std::nullopt : at->second.quality();
+  return at == links_.end() ? std::nullopt : at->second.quality(Clock::now());
 }
 
 std::expected<EchoAnswerer, std::string> EchoAnswerer::open(dds::Participant& participant,
                                                             const dds::Waiter& waiter, std::string name) {
-  auto reader = participant.reader(kEchoQuestionTopic, dds::ChannelKind::kLivePercepts, waiter);
+  auto reader = participant.reader(kEchoQuestionTopic, dds::ChannelKind::kEchoes, waiter);
   if (!reader) return std::unexpected(reader.error());
-  auto writer = participant.writer(kEchoTopic, dds::ChannelKind::kLivePercepts);
+  auto writer = participant.writer(kEchoTopic, dds::ChannelKind::kEchoes);
   if (!writer) return std::unexpected(writer.error());
   return EchoAnswerer(std::move(*reader), std::move(*writer), std::move(name));
 }

@@ -31,18 +31,20 @@ bool is_clock_known(const LinkQuality& link);
 /// since it waited for nobody (the minimum filter of NTP, RFC 5905 section 10).
 class LinkHistory {
  public:
-  static constexpr std::size_t kKept = 20;  ///< questions
+  static constexpr std::size_t kKept = 20;             ///< questions
+  static constexpr std::chrono::seconds kPatience{1};  ///< after it a question counts as lost
 
-  void asked(std::uint64_t number);
+  void asked(std::uint64_t number, Clock::time_point now);
   /// @param round_trip  [s]; what is less than 0 or more than a minute is nonsense and not kept
   void answered(std::uint64_t number, double round_trip, double clock_offset);
-  /// Nothing before the first answer, and of what was asked before that nothing counts; the newest question,
-  /// whose answer may be on its way, is not lost yet.
-  std::optional<LinkQuality> quality() const;
+  /// Nothing before the first answer, and of what was asked before that nothing counts; a question that no
+  /// later one's answer has overtaken is not lost as long as its own may be on its way.
+  std::optional<LinkQuality> quality(Clock::time_point now) const;
 
  private:
   struct Question {
     std::uint64_t number = 0;
+    Clock::time_point asked;
     bool has_answer = false;
     double round_trip = 0.0;
     double clock_offset = 0.0;

@@ -20,8 +20,7 @@
 namespace mlab::agents {
 namespace {
 
-constexpr std::size_t kWholeName = 255;              // characters, of a file
-constexpr std::chrono::seconds kJoiningPatience(5);  // for an agent that somebody wants and that is not there
+constexpr std::size_t kWholeName = 255;  // characters, of a file
 
 bool is_of(const wire::AgentPresence& agent, const std::string& version) {
   return agent.protocol() == robot_remote::kAgentProtocol && agent.version() == version &&
@@ -47,12 +46,13 @@ bool is_other_version(const wire::AgentPresence& agent, const robot::RobotProgra
 class Recruits {
  public:
   Recruits(std::shared_ptr<Roster> roster, std::uint64_t seed, std::string version, double period,
-           StartHints hints)
+           StartHints hints, Clock::duration patience)
       : roster_(std::move(roster)),
         seed_(seed),
         version_(std::move(version)),
         period_(period),
-        hints_(std::move(hints)) {}
+        hints_(std::move(hints)),
+        patience_(patience) {}
 
   /// Where no such agent was ever there, the first call waits a while.
   robot_remote::RemoteRunner::Newcomers find(const robot::RobotProgram& program,
@@ -65,8 +65,7 @@ class Recruits {
       });
     };
     const std::uint64_t source = program.executable ? program.executable->source : 0;
-    if (waited_for_.emplace(program.host, source).second)
-      roster_->wait(is_wanted, Clock::now() + kJoiningPatience);
+    if (waited_for_.emplace(program.host, source).second) roster_->wait(is_wanted, joined_until());
     robot_remote::RemoteRunner::Newcomers out;
     out.why_none = why_none(program);
     for (const Member& one : roster_->members()) {
@@ -98,6 +97,13 @@ class Recruits {
   }
 
  private:
+  // Whoever is there is found in that time: robots that are taken in one after the other don't wait one after
+  // the other for as many agents as are missing.
+  Clock::time_point joined_until() {
+    const Clock::time_point now = Clock::now();
+    if (now > joined_until_ + patience_) joined_until_ = now + patience_;
+    return joined_until_;
+  }
   std::string why_none(const robot::RobotProgram& program) const {
     const std::string& fleet = roster_->fleet();
     const std::string host = text::shown(program.host);
@@ -171,6 +177,8 @@ class Recruits {
   std::string version_;
   double period_;  // [s]; 0: in lock-step
   StartHints hints_;
+  Clock::duration patience_;
+  Clock::time_point joined_until_;
   std::map<std::string, dds::Guid> known_;                      // by name: who was given out last
   std::set<std::pair<std::string, std::uint64_t>> waited_for_;  // host, and source of the executable
 };
@@ -179,8 +187,9 @@ class Recruits {
 
 std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> roster, std::uint64_t seed,
                                                         const std::string& version, double period,
-                                                        StartHints hints) {
-  auto recruits = std::make_shared<Recruits>(std::move(roster), seed, version, period, std::move(hints));
+                                                        StartHints hints, Clock::duration patience) {
+  auto recruits =
+      std::make_shared<Recruits>(std::move(roster), seed, version, period, std::move(hints), patience);
   auto recruit = [recruits](const robot::RobotProgram& program, const std::vector<std::string>& lost) {
     return recruits->find(program, lost);
   };

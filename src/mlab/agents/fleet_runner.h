@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -17,13 +18,18 @@ struct StartHints {
   std::string unseen = {};     ///< who may be there and isn't seen, with `; ` in front; empty: nobody
 };
 
+/// For agents that somebody wants and that are not there.
+inline constexpr std::chrono::seconds kJoiningPatience(5);
+
 /// Runs the robots of one run at the agents of a fleet: those that are there, and those that join while it
 /// runs.
 /// @param version  of this program; agents of another one are not asked
 /// @param hints    how agents are started that reach the fleet, for who has none
+/// @param patience  with all agents that are not there when the robots are taken in, together
 /// @param period   of a cycle in real time [s]; 0: in lock-step
 std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> roster, std::uint64_t seed,
                                                         const std::string& version, double period = 0.0,
-                                                        StartHints hints = {});
+                                                        StartHints hints = {},
+                                                        Clock::duration patience = kJoiningPatience);
 
 }  // namespace mlab::agents

@@ -69,6 +69,9 @@ std::string release_command(const NetworkOptions& options) {
 }
 
 std::string refuse_unless_name(const std::string& text) {
+  // `--fleet --secure`: a fleet of that name would not be secured.
+  if (text.starts_with('-'))
+    return fmt::format("`{}` can't be a name here: it begins as an option does", text::shown(text));
   if (agents::is_agent_name(text)) return "";
   return fmt::format("`{}` can't be a name here: expected {}", text::shown(text), text::kMemberNameRule);
 }

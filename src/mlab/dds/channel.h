@@ -20,6 +20,7 @@ enum class ChannelKind : std::uint8_t {
   kPresence,
   kSignsOfLife,
   kEmergencyStop,
+  kEchoes,
 };
 
 /// How what is said on a channel arrives. `tools/tables` writes the documentation from it.
@@ -149,6 +150,19 @@ inline constexpr std::array kChannels = {
         .reason =
             "it is written again and again until it is acknowledged. Written once and reliably, it would "
             "come too late where a packet is lost, and would wait for robots that don't listen"},
+    ChannelInfo{
+        .kind = ChannelKind::kEchoes,
+        .name = "echoes",
+        .is_reliable = false,
+        .is_asked_after = false,
+        .is_newest_only = false,
+        .is_for_latecomers = false,
+        .lease = std::chrono::milliseconds{0},
+        .longest_wait = std::chrono::milliseconds{0},
+        .reason =
+            "the way there and back is measured by them, and what of it is lost. Sent again they would tell "
+            "neither, and one whose place a newer one took would count as lost: an agent answers all who "
+            "ask"},
 };
 static_assert(base::has_a_row_for_each<kChannels, &ChannelInfo::kind>());
 

@@ -1,6 +1,7 @@
 // Why something can't be done now.
 import { Status_Mode } from "../../core/protocol.ts";
 import type { Hindrance } from "../../ui/commands/declared.ts";
+import { isGettingReady } from "../mission/state.ts";
 import { elsewhen } from "../session/elsewhen.ts";
 import type { Session } from "../session/session.ts";
 
@@ -9,10 +10,11 @@ type Why = Hindrance<Session>;
 export const onlyWatching: Why = ({ model }) =>
   elsewhen(model) ?? (model.isOperator() ? undefined : "Only the operator can do this: take control first.");
 
-export const noMission: Why = ({ model }) =>
-  (model.get("status")?.mode ?? Status_Mode.NO_MISSION) === Status_Mode.NO_MISSION
-    ? "No mission is loaded."
-    : undefined;
+export const noMission: Why = ({ model }) => {
+  const status = model.get("status");
+  if (isGettingReady(status)) return "The mission is still getting ready.";
+  return (status?.mode ?? Status_Mode.NO_MISSION) === Status_Mode.NO_MISSION ? "No mission is loaded." : undefined;
+};
 
 export const emergencyStopped: Why = ({ model }) =>
   model.get("status")?.mode === Status_Mode.STOPPED ? "Release the emergency stop first." : undefined;

@@ -61,7 +61,7 @@ function NoRows({ hasMission }: { hasMission: boolean }) {
     return (
       <div className="empty">
         <p>There is no table of failsafes.</p>
-        <p className="small">No mission is open, or the one that is open has errors.</p>
+        <p className="small">No mission is open, or the one that is open has errors or is still getting ready.</p>
       </div>
     );
   return (

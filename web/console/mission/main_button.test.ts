@@ -105,6 +105,15 @@ describe("the main button", () => {
     expect(at(Status_Mode.NO_MISSION, { errors: 3 }).does).toEqual({ kind: "show-errors" });
     expect(at(Status_Mode.NO_MISSION).does).toEqual({ kind: "nothing" });
   });
+  it("says that a mission is getting ready, and is no button before that", () => {
+    for (const mode of [Status_Mode.NO_MISSION, Status_Mode.ENDED]) {
+      expect(at(mode, {}, { isBeingMade: true })).toMatchObject({ label: "Getting ready", does: { kind: "nothing" } });
+    }
+    expect(at(Status_Mode.NO_MISSION, { isOperator: false }, { isBeingMade: true }).label).toBe("Getting ready");
+    expect(at(Status_Mode.STOPPED, {}, { isBeingMade: true }).does).toMatchObject({
+      action: Control_Action.RELEASE_STOP,
+    });
+  });
   it("does nothing without a connection", () => {
     expect(at(Status_Mode.RUNNING, { isConnected: false }).does).toEqual({ kind: "nothing" });
   });

@@ -1,6 +1,7 @@
 // The main button: it always says what it will do, and there is always one next thing to do.
 import { Control_Action, type Status, Status_Mode, Status_Outcome } from "../../core/protocol.ts";
 import { list } from "../../ui/words/format.ts";
+import { isGettingReady } from "./state.ts";
 import { kStepOfOrder } from "./steps.ts";
 
 export interface MainButton {
@@ -66,6 +67,15 @@ export function mainButton(situation: Situation): MainButton {
     };
   }
   if (!situation.isOperator && status.mode !== Status_Mode.NO_MISSION) return watching(situation);
+  if (isGettingReady(status)) {
+    return {
+      label: "Getting ready",
+      hint: "Programs of robots are made, and machines of a fleet are waited for.",
+      does: nothing,
+      tone: "quiet",
+      icon: "play",
+    };
+  }
   switch (status.mode) {
     case Status_Mode.NO_MISSION:
       return withoutMission(situation);

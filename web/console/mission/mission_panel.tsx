@@ -136,6 +136,13 @@ function RunningNow() {
   );
 }
 
+const kGettingReady = ["This mission is getting ready.", "Its steps appear once its robots are there."];
+const kErrors = ["The text of this mission can't be understood.", "Its steps appear once the errors are mended."];
+const kNoSteps = [
+  "This mission has no steps yet.",
+  "Write them in the Text panel, or send commands from the command line.",
+];
+
 function Steps() {
   const { model } = useSession();
   const plan = usePart("plan");
@@ -162,14 +169,11 @@ function Steps() {
     return () => observer.disconnect();
   }, [current]);
   if (rows.length === 0) {
+    const [what, then] = status?.isBeingMade ? kGettingReady : hasErrors ? kErrors : kNoSteps;
     return (
       <div className="empty">
-        <p>{hasErrors ? "The text of this mission can't be understood." : "This mission has no steps yet."}</p>
-        <p className="small">
-          {hasErrors
-            ? "Its steps appear once the errors are mended."
-            : "Write them in the Text panel, or send commands from the command line."}
-        </p>
+        <p>{what}</p>
+        <p className="small">{then}</p>
       </div>
     );
   }

@@ -6,9 +6,15 @@ export interface RunState {
   tone: "" | "go" | "hold" | "danger" | "accent";
 }
 
+/** The mission is open, and its robots are not there yet. An emergency stop is shown all the same. */
+export function isGettingReady(status: Status | null | undefined): boolean {
+  return status?.isBeingMade === true && status.mode !== Status_Mode.STOPPED;
+}
+
 export function stateOf(status: Status | undefined, link: "open" | "silent" | "closed", errors = 0): RunState {
   if (link === "closed") return { word: "No connection", tone: "danger" };
   if (link === "silent") return { word: "No answer", tone: "danger" };
+  if (isGettingReady(status)) return { word: "Getting ready", tone: "" };
   switch (status?.mode) {
     case Status_Mode.READY:
       return { word: "Ready", tone: "accent" };

@@ -226,6 +226,7 @@ void Publisher::tell_status(ToBrowser& out) const {
   } else {
     status.set_seed(maker_.seed());
   }
+  status.set_is_being_made(run_.is_expected());
   run_.vehicle_silence().add(wall, status);
   if (const preflight::Gate* gate = run_.gate()) encode_held_back(*gate, status);
   run_.teleoperations().encode(status);

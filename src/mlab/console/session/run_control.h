@@ -43,7 +43,10 @@ class RunControl {
   const LiveRun* live() const { return live_.get(); }
   double sim_time() const { return live_ ? live_->run().time() : 0.0; }
   /// One is being made, and no command can be given until `adopt`.
-  void expect() { is_expected_ = true; }
+  void expect() {
+    is_expected_ = true;
+    ++state_revision_;
+  }
   bool is_expected() const { return is_expected_; }
   /// Takes the place of the run before; null: there is none any more.
   /// @param recorder  as LiveRun
