@@ -194,6 +194,16 @@ TEST_F(SecuredFleet, SaysHowAWithdrawnOwnIdentityIsMadeAnew) {
       mlab(base(), {"keys", "alpha"}).output.contains("this machine's identity, which --secure uses"));
 }
 
+TEST_F(SecuredFleet, IsNotMadeByAMistakeUnnoticed) {
+  make_network(47);
+  const Said refused = mlab(base(), {"keys", "alpha", "--add", "a b"});
+  EXPECT_EQ(refused.ending, "exit status 2");
+  EXPECT_TRUE(refused.errors.contains("`a b` can't be the name of an identity")) << refused.errors;
+  const Said first = mlab(base(), {"keys", "alpha", "--add", "north"});
+  EXPECT_TRUE(first.errors.contains("there were no keys of a fleet `alpha` here")) << first.errors;
+  EXPECT_EQ(mlab(base(), {"keys", "alpha", "--add", "south"}).errors, "");
+}
+
 TEST_F(SecuredFleet, IsNotJoinedWithoutAnIdentity) {
   make_network(44);
   const Said joined = mlab(base(), {"agent", "--fleet", "alpha", "--secure"});

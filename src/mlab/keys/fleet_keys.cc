@@ -48,9 +48,14 @@ fs::path free_place(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
-bool is_identity_name(std::string_view name) {
-  return !name.empty() && name.size() <= kLongestName && name.front() != '.' && name != "authority" &&
-         std::ranges::all_of(name, is_name_letter);
+std::optional<std::string> why_no_identity_name(std::string_view name) {
+  if (!name.empty() && name.size() <= kLongestName && name.front() != '.' && name != "authority" &&
+      std::ranges::all_of(name, is_name_letter))
+    return std::nullopt;
+  return fmt::format(
+      "`{}` can't be the name of an identity: 1 to {} letters, digits, `-`, `_` and `.`, not "
+      "`authority`",
+      text::shown(name), kLongestName);
 }
 
 fs::path FleetKeys::issued(const std::string& name) const {
@@ -122,11 +127,7 @@ std::expected<void, std::string> FleetKeys::read_authority() {
 }
 
 std::expected<fs::path, std::string> FleetKeys::add(const std::string& name) {
-  if (!is_identity_name(name))
-    return std::unexpected(
-        fmt::format("`{}` can't be the name of an identity: 1 to {} letters, digits, `-`, `_` and `.`, not "
-                    "`authority`",
-                    text::shown(name), kLongestName));
+  if (auto problem = why_no_identity_name(name)) return std::unexpected(std::move(*problem));
   std::error_code failure;
   if (fs::exists(issued(name), failure) && !is_half_made(name))
     return std::unexpected(
@@ -180,7 +181,7 @@ bool FleetKeys::was_withdrawn(const std::string& name) const {
 
 std::expected<void, std::string> FleetKeys::withdraw(const std::string& name) {
   std::error_code failure;
-  if (!is_identity_name(name) || !fs::exists(issued(name), failure)) {
+  if (why_no_identity_name(name) || !fs::exists(issued(name), failure)) {
     std::string known;
     for (const std::string& one : names()) known += fmt::format("{}`{}`", known.empty() ? "" : ", ", one);
     return std::unexpected(fmt::format("the fleet `{}` has no identity `{}`: there is {}", fleet_,

@@ -2,6 +2,7 @@
 
 #include <expected>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,9 @@ namespace mlab::keys {
 /// that an identity is put into on another machine.
 inline constexpr const char* kOwnIdentity = "own";
 
-/// What may be the name of an identity: 1 to 64 letters, digits, `-`, `_` and `.`, and no dot in front.
-bool is_identity_name(std::string_view name);
+/// Why that can't be the name of an identity: 1 to 64 letters, digits, `-`, `_` and `.` can, with no dot in
+/// front. Nothing: it can.
+std::optional<std::string> why_no_identity_name(std::string_view name);
 
 /// The authority of a fleet, and all identities that it has made. In its folder:
 ///

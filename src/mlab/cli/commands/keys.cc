@@ -94,6 +94,10 @@ int keys(const KeysOptions& options) {
   if (folder.empty()) return refuse("there is no folder for keys: neither XDG_STATE_HOME nor HOME is set");
   if (!keys::FleetKeys::are_there(folder) && !options.withdraw.empty())
     return refuse(fmt::format("there are no keys of the fleet `{}` in {}", fleet, folder));
+  if (!options.add.empty()) {
+    if (const auto problem = keys::why_no_identity_name(options.add)) return refuse(*problem);
+  }
+  const bool is_new = !keys::FleetKeys::are_there(folder);
   auto keys = keys::FleetKeys::open(folder, fleet);
   if (!keys) return refuse(keys.error());
   if (!options.withdraw.empty()) return withdraw(*keys, fleet, options.withdraw);
@@ -101,7 +105,13 @@ int keys(const KeysOptions& options) {
   if (options.add.empty() && !has(*keys, keys::kOwnIdentity) && !keys->was_withdrawn(keys::kOwnIdentity)) {
     if (const auto own = keys->add(keys::kOwnIdentity); !own) return refuse(own.error());
   }
-  return options.add.empty() ? show(*keys, fleet, folder) : add(*keys, fleet, options.add);
+  if (options.add.empty()) return show(*keys, fleet, folder);
+  if (is_new)
+    fmt::print(
+        stderr,
+        "mlab keys: there were no keys of a fleet `{}` here: it is a new one, with an authority of its own\n",
+        fleet);
+  return add(*keys, fleet, options.add);
 }
 
 }  // namespace mlab::cli
