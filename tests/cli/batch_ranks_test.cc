@@ -20,9 +20,9 @@ class Ranks : public Command {
     whole_ = text_of(folder_ / "whole.csv");
     ASSERT_EQ(std::ranges::count(whole_, '\n'), 121);
   }
-  static std::string batch(const std::string& table, const std::string& mission = "demo_c") {
-    return "batch " + kMissions + mission + "/" + mission +
-           ".mdl --runs 60 --threads 1 --start-time '2026-03-01 08:30' --set base_velocity=4,5 --quiet "
+  static std::string batch(const std::string& table, const std::string& mission = "demo_c", int runs = 60) {
+    return "batch " + kMissions + mission + "/" + mission + ".mdl --runs " + std::to_string(runs) +
+           " --threads 1 --start-time '2026-03-01 08:30' --set base_velocity=4,5 --quiet "
            "--table '" +
            table + "'";
   }
@@ -132,7 +132,7 @@ TEST_F(Ranks, AreRefusedWhereTheyCanNotBeTogether) {
   EXPECT_EQ(nowhere.status, 2);
   EXPECT_TRUE(has(nowhere.err, "this is one of 4 processes")) << nowhere.err;
   // Two batches into one table.
-  together(batch("t.csv") + " --runs 1000000", 1,
+  together(batch("t.csv", "demo_c", 1'000'000), 1,
            "sleep 0.3; \"$1\" " + batch("t.csv", "patrol") +
                " --rank 0/2 </dev/null 2>other.txt; echo $? >>other.txt; kill -9 $p0");
   const std::string other = text_of(folder_ / "other.txt");

@@ -242,8 +242,12 @@ std::string trial_of(const ShownCommand& shown) {
   const bool opens_page = (command == "run" || command == "replay") && !says("--headless");
   const bool has_mission = command == "run" && !says("--resume");
   if ((opens_page && has_mission) || command == "edit") words = {"check", words[1]};
-  // A few runs show as well as hundreds that it works; the last word holds.
-  if (command == "batch" && !says("--merge")) words.insert(words.end(), {"--runs", "5"});
+  // A few runs show as well as hundreds that it works.
+  if (command == "batch" && !says("--merge")) {
+    const auto runs = std::ranges::find(words, "--runs");
+    if (words.end() - runs > 1) words.erase(runs, runs + 2);
+    words.insert(words.end(), {"--runs", "5"});
+  }
   // It would wait for runs or for people for ever, or wants what others have left.
   if (command == "agent" || command == "robot" || command == "preflight" || (opens_page && !has_mission) ||
       says("--merge"))
