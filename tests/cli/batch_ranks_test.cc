@@ -133,7 +133,8 @@ TEST_F(Ranks, AreRefusedWhereTheyCanNotBeTogether) {
   EXPECT_TRUE(has(nowhere.err, "this is one of 4 processes")) << nowhere.err;
   // Two batches into one table.
   together(batch("t.csv", "demo_c", 1'000'000), 1,
-           "sleep 0.3; \"$1\" " + batch("t.csv", "patrol") +
+           "n=0; until [ $((n += 1)) -gt 3000 ] || [ -s t.csv.runs ]; do sleep 0.01; done; \"$1\" " +
+               batch("t.csv", "patrol") +
                " --rank 0/2 </dev/null 2>other.txt; echo $? >>other.txt; kill -9 $p0");
   const std::string other = text_of(folder_ / "other.txt");
   EXPECT_TRUE(has(other, "is in use by another batch that runs now\n2\n")) << other;
