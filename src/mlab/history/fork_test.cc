@@ -1,4 +1,5 @@
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -22,10 +23,11 @@ ReplayTools fork_tools() {
   return {cell::testing::code_permitted(), base::source_folder() + "/src", "test", {}, 1};
 }
 
-// The whole line is known, with a checkpoint after each cycle.
+// The whole line is known, with a checkpoint after each cycle, however long one takes.
 std::unique_ptr<Timeline> known_line(const WrittenRun& written) {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
   text::Diagnostics sink;
-  auto out = Timeline::make(written.history(), fork_tools(), {.spacing = 0.0}, sink);
+  auto out = Timeline::make(written.history(), fork_tools(), {.spacing = 0.0, .most_share = kAny}, sink);
   EXPECT_NE(out, nullptr) << text::render(sink);
   while (out && out->advance(1.0)) {
   }
