@@ -44,6 +44,15 @@ bool comes_to_none(const TourState& state, std::size_t places) {
   return state.in_vain >= places;
 }
 
+// Where a robot is that goes round and counts: not who has told nothing for `patience` [s], or comes to no
+// place.
+std::optional<TourPlace> place_on_round(const Percepts& percepts, const percept::SharedPlace& shared,
+                                        double patience) {
+  const auto place = tour_place(percepts.order, shared);
+  if (!place || place->comes_to_none || percepts.time - shared.time > patience) return std::nullopt;
+  return place;
+}
+
 /// A robot on the round.
 struct OnRound {
   base::RobotId robot;
@@ -116,9 +125,8 @@ double patrol_pace(const Percepts& percepts, double patience, double slowest) {
   double ahead = round;
   int robots = 1;
   for (const percept::SharedPlace& shared : percepts.shared_places) {
-    const auto place = tour_place(percepts.order, shared);
-    if (!place || shared.from == percepts.id || percepts.time - shared.time > patience) continue;
-    if (place->comes_to_none) continue;
+    const auto place = place_on_round(percepts, shared, patience);
+    if (!place || shared.from == percepts.id) continue;
     ++robots;
     double gap = std::fmod(way_round(tour, place->leg, shared.place) - *own + round, round);
     // Side by side: who has the lower number is ahead.
@@ -134,8 +142,8 @@ std::vector<Stretch> stretches(const Percepts& percepts, double patience) {
   const std::span<const geom::Point> tour = percepts.order.route;
   std::vector<OnRound> all;
   for (const percept::SharedPlace& shared : percepts.shared_places) {
-    const auto place = tour_place(percepts.order, shared);
-    if (!place || place->comes_to_none || percepts.time - shared.time > patience) continue;
+    const auto place = place_on_round(percepts, shared, patience);
+    if (!place) continue;
     const geom::Point begin = tour[(place->leg + tour.size() - 1) % tour.size()];
     const geom::Point at = geom::nearest_point({begin, tour[place->leg]}, shared.place);
     all.push_back({shared.from, place->leg, at, geom::distance(begin, at)});

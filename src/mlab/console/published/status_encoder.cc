@@ -20,7 +20,7 @@ namespace {
 
 using mission::State;
 
-constexpr double kSilence = 5.0;          // who has told nothing for so long goes round no more [s]
+constexpr double kSilence = 3.0;          // who has told nothing for so long counts for no `ErrandPace` [s]
 constexpr std::size_t kMostParts = 1000;  // in one status: of more the map would be a tangle
 
 // The enumerations count alike.

@@ -228,26 +228,27 @@ class PlanCheck {
     return true;
   }
 
-  // The same along its route, whose corners that no way leads to are left out. True where one leads to its
-  // end.
+  // The same along its route, whose corners that no way leads to are left out: it warns of the first one, and
+  // of the end. True where a way leads to that.
   bool has_way_along(const UnitCommand& c) {
     const RobotState& first = state(robots_of(c).front());
     if (!first.has_place || c.route.empty()) return true;
-    UnitCommand one = c;
-    one.route.clear();  // its goal counts then
-    WayCheck::From from{in_backticks(mission::addressee(mission_, c)), first.place, ""};
-    for (const geom::Point& corner : c.route) {
-      const bool is_end = &corner == &c.route.back();
-      one.goal = corner;
-      from.to =
-          is_end ? ""
-                 : fmt::format("the corner {:g} {:g} of {}", corner.x, corner.y, in_backticks(c.place_name));
-      if (leads_there(one, from, most_room(c), success_radius(c)))
-        from.place = corner;
-      else if (is_end)
-        return false;
+    UnitCommand one;
+    one.unit = c.unit;
+    one.robots = c.robots;
+    one.place_name = c.place_name;
+    one.goal_place = c.goal_place;
+    const WayCheck::Room room = most_room(c);
+    const double success = success_radius(c);
+    WayCheck::From from{in_backticks(mission::addressee(mission_, c)), first.place, true};
+    for (std::size_t i = 0; i + 1 < c.route.size() && visits_++ < kMaxRobotVisits; ++i) {
+      one.goal = c.route[i];
+      if (!leads_there(one, from, room, success)) break;
+      from.place = one.goal;
     }
-    return true;
+    one.goal = c.route.back();
+    from.to_corner = false;
+    return leads_there(one, from, room, success);
   }
 
   // Who begins within a minefield gets out of it, and goals within one are warned of besides.

@@ -110,9 +110,11 @@ void WayCheck::note_thing(std::uint32_t thing, text::Diagnostic& warning) const 
 void WayCheck::warn(const mission::UnitCommand& command, const From& from, Room room, double success,
                     geom::Point nearest) {
   const geom::Point goal = mission::goal_of(command);
-  const std::string where = fmt::format("no way leads to {} from {:g} {:g}, where {} is by then",
-                                        from.to.empty() ? in_backticks(command.place_name) : from.to,
-                                        from.place.x, from.place.y, from.who);
+  const std::string name = in_backticks(command.place_name);
+  const std::string where =
+      fmt::format("no way leads to {} from {:g} {:g}, where {} is by then",
+                  from.to_corner ? fmt::format("the corner {:g} {:g} of {}", goal.x, goal.y, name) : name,
+                  from.place.x, from.place.y, from.who);
   // The widest gap that there is, if any: too narrow for the body, wide enough for the thin one.
   if (!no_way(planner(kThin, room.keeps_out), from.place, goal, success)) {
     double passes = kThin;

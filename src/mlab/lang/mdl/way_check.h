@@ -34,9 +34,9 @@ class WayCheck {
   };
   /// Who is where.
   struct From {
-    std::string who;    ///< as it is told
-    geom::Point place;  ///< [m, world]
-    std::string to{};   ///< the goal as it is told; empty: by its name
+    std::string who;         ///< as it is told
+    geom::Point place;       ///< [m, world]
+    bool to_corner = false;  ///< the goal is a corner of the line that the command names
   };
   /// @param success  who is so near to the goal is there [m]
   /// @return  false: no way leads there
