@@ -58,6 +58,11 @@ void Counterparts::set_silent(dds_instance_handle_t handle, bool is_silent) {
   if (found != all_.end()) found->second.is_silent = is_silent;
 }
 
+void Counterparts::set_joining(dds_instance_handle_t handle, bool is_joining) {
+  const auto found = all_.find(handle);
+  if (found != all_.end()) found->second.is_joining = is_joining;
+}
+
 void Counterparts::add_incompatible(std::uint32_t policy) {
   note(fmt::format("somebody {} `{}` in a way that does not go with `{}`: {}", does_, topic_,
                    info(kind_).name, policy_called(policy)));
@@ -66,7 +71,7 @@ void Counterparts::add_incompatible(std::uint32_t policy) {
 std::vector<Guid> Counterparts::participants() const {
   std::vector<Guid> found;
   for (const auto& [handle, one] : all_) {
-    if (one.fits && one.is_there && !one.is_silent) found.push_back(one.participant);
+    if (one.fits && one.is_there && !one.is_silent && !one.is_joining) found.push_back(one.participant);
   }
   return found;
 }

@@ -23,6 +23,7 @@ class Counterparts {
     bool fits = false;  ///< it is of the same kind: what it says counts
     bool is_there = true;
     bool is_silent = false;
+    bool is_joining = false;  ///< what is written may still pass it by
   };
 
   /// @param topic  for sentences
@@ -38,9 +39,10 @@ class Counterparts {
   Counterpart add(dds_instance_handle_t handle, const dds_builtintopic_endpoint_t& endpoint);
   void set_there(dds_instance_handle_t handle, bool is_there);
   void set_silent(dds_instance_handle_t handle, bool is_silent);
+  void set_joining(dds_instance_handle_t handle, bool is_joining);
   void add_incompatible(std::uint32_t policy);
 
-  /// Of the same kind, there, and not silent.
+  /// Of the same kind, there, not silent, and not joining any more.
   std::vector<Guid> participants() const;
   const std::vector<std::string>& mismatches() const { return mismatches_; }
 

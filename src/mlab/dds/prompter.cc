@@ -16,7 +16,7 @@ Prompter::Clock::duration Prompter::Pace::patience() const {
   return std::clamp<Clock::duration>(5 * usual_, kFirst, kLongest);
 }
 
-Prompter::Task::Task(Prompter& prompter, std::function<void()> prompt)
+Prompter::Task::Task(Prompter& prompter, std::function<bool()> prompt)
     : prompter_(prompter), prompt_(std::move(prompt)) {
   const std::scoped_lock lock(prompter_.mutex_);
   prompter_.tasks_.push_back(this);
@@ -32,8 +32,18 @@ void Prompter::Task::written() {
   const Clock::time_point now = Clock::now();
   const std::scoped_lock lock(prompter_.mutex_);
   pace_.written(now);
-  due_ = now + pace_.patience();
-  left_ = kPrompts;
+  expect(now, pace_.patience(), kPrompts);
+}
+
+void Prompter::Task::matched() {
+  const std::scoped_lock lock(prompter_.mutex_);
+  expect(Clock::now(), Clock::duration::zero(), std::max(left_, 1));
+}
+
+void Prompter::Task::expect(Clock::time_point now, Clock::duration patience, int prompts) {
+  began_ = now;
+  due_ = now + patience;
+  left_ = prompts;
   if (due_ >= prompter_.wakes_at_ || std::exchange(prompter_.is_too_late_, true)) return;
   prompter_.changed_.notify_all();
 }
@@ -56,11 +66,12 @@ Prompter::Clock::time_point Prompter::prompt_the_due(std::unique_lock<std::mutex
     const Clock::time_point now = Clock::now();
     if (task.due_ > now) return task.due_;
     --task.left_;
-    task.due_ = now + std::clamp<Clock::duration>((now - task.pace_.last()) / 2, kFirst, kMost);
+    task.due_ = now + std::clamp<Clock::duration>((now - task.began_) / 2, kFirst, kMost);
     prompted_ = &task;
     lock.unlock();
-    task.prompt_();
+    const bool has_to_answer = task.prompt_();
     lock.lock();
+    if (has_to_answer) task.left_ = std::max(task.left_, 1);
     prompted_ = nullptr;
     changed_.notify_all();
   }

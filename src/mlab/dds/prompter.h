@@ -14,7 +14,7 @@ namespace mlab::dds {
 /// Has readers notice soon that the last thing written was lost: where nothing follows it they would not know
 /// that there was something. So after each write readers are prompted, as long as nothing is written: 2 ms
 /// later at first, then ever more seldom. In a fast lock-step the next cycle comes before that, and nobody
-/// is. Has a thread of its own.
+/// is. A reader that has just matched is prompted as well, until it has answered. Has a thread of its own.
 class Prompter {
  public:
   using Clock = std::chrono::steady_clock;
@@ -33,7 +33,6 @@ class Prompter {
     void written(Clock::time_point now);
     /// From the last write to the first prompt.
     Clock::duration patience() const;
-    Clock::time_point last() const { return last_; }
 
    private:
     Clock::time_point last_;   // write
@@ -43,22 +42,28 @@ class Prompter {
   /// A writer's part of it. May be used by any thread.
   class Task {
    public:
-    /// @param prompt  called on the prompter's thread, until this is destroyed
-    Task(Prompter& prompter, std::function<void()> prompt);
+    /// @param prompt  called on the prompter's thread, until this is destroyed. It returns whether somebody
+    ///                has to be prompted until he answers, however often that is
+    Task(Prompter& prompter, std::function<bool()> prompt);
     Task(const Task&) = delete;
     Task& operator=(const Task&) = delete;
     ~Task();
     /// Something was written.
     void written();
+    /// Somebody may have matched who has to answer.
+    void matched();
 
    private:
     friend class Prompter;
     Prompter& prompter_;
-    std::function<void()> prompt_;
+    void expect(Clock::time_point now, Clock::duration patience, int prompts);  // under the prompter's mutex
+
+    std::function<bool()> prompt_;
     // Under the prompter's mutex:
     Pace pace_;
-    Clock::time_point due_;  // of the next prompt
-    int left_ = 0;           // prompts
+    Clock::time_point began_;  // to wait for an answer
+    Clock::time_point due_;    // of the next prompt
+    int left_ = 0;             // prompts
   };
 
   Prompter();

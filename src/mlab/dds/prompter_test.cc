@@ -40,7 +40,10 @@ TEST(DdsPrompter, NoticesTheNextLossAsSoonAsTheOneBefore) {
 TEST(DdsPrompter, PromptsSomeTimesAfterTheLastWriteAndThenNoMore) {
   std::atomic<int> prompts = 0;
   Prompter prompter;
-  Prompter::Task task(prompter, [&] { ++prompts; });
+  Prompter::Task task(prompter, [&] {
+    ++prompts;
+    return false;
+  });
   std::this_thread::sleep_for(milliseconds(20));
   EXPECT_EQ(prompts, 0) << "nothing was written";
   task.written();
@@ -50,11 +53,24 @@ TEST(DdsPrompter, PromptsSomeTimesAfterTheLastWriteAndThenNoMore) {
   EXPECT_EQ(prompts, Prompter::kPrompts);
 }
 
+TEST(DdsPrompter, PromptsWhoHasMatchedUntilHeAnswersHoweverOftenThatIs) {
+  constexpr int kAnswers = Prompter::kPrompts + 5;
+  std::atomic<int> prompts = 0;
+  Prompter prompter;
+  Prompter::Task task(prompter, [&] { return ++prompts < kAnswers; });
+  task.matched();
+  const auto until = Clock::now() + std::chrono::seconds(20);
+  while (prompts < kAnswers && Clock::now() < until) std::this_thread::sleep_for(milliseconds(1));
+  std::this_thread::sleep_for(3 * Prompter::kMost);
+  EXPECT_EQ(prompts, kAnswers);
+}
+
 TEST(DdsPrompter, PromptsNobodyBeforeItsTime) {
   std::atomic<Clock::time_point> prompted = Clock::time_point::max();
   Prompter prompter;
   Prompter::Task task(prompter, [&] {
     if (prompted.load() == Clock::time_point::max()) prompted = Clock::now();
+    return false;
   });
   const auto wrote = Clock::now();
   task.written();
@@ -68,7 +84,10 @@ TEST(DdsPrompter, CallsNothingOfATaskThatHasEnded) {
     std::atomic<bool> is_there = true;
     std::atomic<int> late = 0;
     {
-      Prompter::Task task(prompter, [&] { late += is_there ? 0 : 1; });
+      Prompter::Task task(prompter, [&] {
+        late += is_there ? 0 : 1;
+        return false;
+      });
       task.written();
       std::this_thread::sleep_for(std::chrono::microseconds(100 * i));
     }

@@ -37,7 +37,10 @@ Written written(dds_return_t code) {
 
 Writer::State::State(std::shared_ptr<ParticipantCore> core, std::shared_ptr<WaiterState> waiter,
                      std::string topic, ChannelKind kind)
-    : core_(std::move(core)), waiter_(std::move(waiter)), readers_(std::move(topic), kind, "reads") {}
+    : core_(std::move(core)),
+      waiter_(std::move(waiter)),
+      readers_(std::move(topic), kind, "reads"),
+      is_asked_after_(info(kind).is_asked_after) {}
 
 std::expected<void, std::string> Writer::State::begin(const std::string& topic, ChannelKind kind) {
   auto made = core_->topic(topic);
@@ -54,7 +57,11 @@ std::expected<void, std::string> Writer::State::begin(const std::string& topic, 
     return std::unexpected(fmt::format("`{}` can't be written: {}", topic, dds_strretcode(writer)));
   writer_ = Entity(writer);
   note_those_before();
-  if (info(kind).is_asked_after) prompts_.emplace(core_->prompter(), [this] { prompt(); });
+  if (!is_asked_after_) return {};
+  prompts_.emplace(core_->prompter(), [this] { return prompt(); });
+  const std::lock_guard lock(mutex_);
+  can_prompt_ = true;
+  if (!joining_.empty()) prompts_->matched();
   return {};
 }
 
@@ -70,7 +77,7 @@ void Writer::State::note_those_before() {
       const std::lock_guard lock(mutex_);
       if (!readers_.find(handles[i])) {
         readers_.add(handles[i], *endpoint);
-        readers_.set_there(handles[i], true);
+        set_there(handles[i], true);
       }
     }
     dds_builtintopic_free_endpoint(endpoint);
@@ -78,6 +85,10 @@ void Writer::State::note_those_before() {
 }
 
 Writer::State::~State() {
+  {
+    const std::lock_guard lock(mutex_);
+    can_prompt_ = false;
+  }
   prompts_.reset();
   writer_.reset();
   take_over(this);
@@ -92,10 +103,42 @@ void Writer::State::on_matched(dds_entity_t writer, dds_publication_matched_stat
   {
     const std::lock_guard lock(self.mutex_);
     if (endpoint != nullptr) self.readers_.add(status.last_subscription_handle, *endpoint);
-    self.readers_.set_there(status.last_subscription_handle, is_there);
+    self.set_there(status.last_subscription_handle, is_there);
     if (self.waiter_) self.waiter_->signal();
+    if (!self.joining_.empty() && self.can_prompt_) self.prompts_->matched();
   }
   if (endpoint != nullptr) dds_builtintopic_free_endpoint(endpoint);
+}
+
+// Cyclone calls a reader matched before that one has heard how far its writer is. Of many messages written in
+// between it may drop some, and deliver others twice (0.10.2, where packets are lost); so a reader counts
+// once it has acknowledged something that was written after it matched. Under the lock.
+void Writer::State::set_there(dds_instance_handle_t reader, bool is_there) {
+  readers_.set_there(reader, is_there);
+  if (!is_asked_after_) return;
+  std::erase_if(joining_, [&](const Joining& one) { return one.reader == reader; });
+  readers_.set_joining(reader, is_there);
+  if (is_there)
+    joining_.push_back({.reader = reader, .number = ++joined_, .until = Clock::now() + kLongestJoining});
+}
+
+/// @return  whether all have that had not
+bool Writer::State::note_those_that_answered() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (joining_.empty()) return false;
+  }
+  const bool is_acknowledged = dds_wait_for_acks(writer_.handle(), 0) == DDS_RETCODE_OK;
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  const std::size_t before = joining_.size();
+  std::erase_if(joining_, [&](const Joining& one) {
+    const bool is_heard = (is_acknowledged && one.number <= prompted_) || now >= one.until;
+    if (is_heard) readers_.set_joining(one.reader, false);
+    return is_heard;
+  });
+  if (joining_.size() != before && waiter_) waiter_->signal();
+  return joining_.empty();
 }
 
 void Writer::State::on_incompatible(dds_entity_t /*writer*/, dds_offered_incompatible_qos_status_t status,
@@ -117,11 +160,22 @@ Written Writer::State::write(std::string_view key, std::string_view body) {
 }
 
 // It says what was written before, and so who misses that asks for it.
-void Writer::State::prompt() {
-  if (readers().empty()) return;
+// @return  whether a reader has to answer yet
+bool Writer::State::prompt() {
+  // Then they have everything.
+  if (note_those_that_answered()) return false;
+  std::uint64_t joined = 0;
+  bool has_to_answer = false;
+  {
+    const std::lock_guard lock(mutex_);
+    has_to_answer = !joining_.empty();
+    if (!has_to_answer && readers_.participants().empty()) return false;
+    joined = joined_;
+  }
   const mlab_dds_Envelope envelope = envelope_of(kPromptKey, {});
   // One that is not written is followed by the next.
-  static_cast<void>(dds_write(writer_.handle(), &envelope));
+  if (dds_write(writer_.handle(), &envelope) == DDS_RETCODE_OK) prompted_ = joined;
+  return has_to_answer;
 }
 
 Written Writer::State::end(std::string_view key) {

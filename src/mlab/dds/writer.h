@@ -37,7 +37,8 @@ class Writer {
 
   /// The participants that read this topic, as what it is written as. Both sides find each other by
   /// themselves: a reader may know of this writer some milliseconds earlier. What is written before somebody
-  /// stands here does not reach him, except on channels that are for latecomers.
+  /// stands here need not reach him, except on channels that are for latecomers. On reliable ones he stands
+  /// here as soon as he has answered, or after a second.
   std::vector<Guid> readers() const;
 
   /// Who reads this topic as something else, as Reader::mismatches. Nothing of this writer is taken there.
