@@ -13,8 +13,9 @@ export RC_PARAMS="seed=$(seed_of_commit) ${RC_PARAMS-}"
 # Sanitizers look at what is done, which the first examples of a property have done, too; all of them run in `unit`.
 fewer_examples="$RC_PARAMS max_success=25"
 
-# How many tests run at once where they wait for each other, or for real time, half of the time.
+# How many tests run at once where some wait for real time; and where most of them wait for each other most of the time.
 waiting_jobs=$((jobs + (jobs + 1) / 2))
+idle_jobs=$((2 * jobs))
 
 run_ctest() {
   local folder=$1
@@ -32,7 +33,7 @@ compile_build() {
   ninja -C "$build/test" -j "$jobs"
 }
 
-stage_unit() { run_ctest "$build/test" -LE 'repo|e2e'; }
+stage_unit() { run_ctest "$build/test" -LE 'repo|e2e' -j "$waiting_jobs"; }
 # web_scripts SCRIPT...: runs scripts of web/package.json, in the copy that the product's page is built in.
 web_scripts() (
   source "$root/tools/web/node.sh"
@@ -85,7 +86,7 @@ stage_e2e() {
     echo "npm could not install the SCXML interpreter (offline?); its test is skipped"
   install_peers tests/mcap "$build/test/mcap_peers" || echo "npm could not install readers of MCAP (offline?); their tests are skipped"
   install_peers tests/vehicles "$build/test/vehicle_peers" || echo "npm could not install vehicles (offline?); their tests are skipped"
-  run_ctest "$build/test" -L e2e -j "$waiting_jobs"
+  run_ctest "$build/test" -L e2e -j "$idle_jobs"
 }
 
 # One build for the fuzzers and the sanitized unit tests. Optimised is only what they spend their time in (MLAB_BUSY_MODULES):

@@ -350,7 +350,7 @@ std::string alike(std::size_t count) {
 
 TEST(Difference, OfThousandsThatAreAllAlikeTakesNoSquare) {
   EXPECT_LT(growth_of_comparing(
-                10'000, alike, [](std::size_t count) { return alike(count - 1); },
+                base::examples(10'000), alike, [](std::size_t count) { return alike(count - 1); },
                 [](std::size_t) { return std::size_t{1}; }),
             base::kGrowthOfLine);
 }
@@ -364,7 +364,7 @@ std::string many(const std::string& name, std::size_t count) {
 
 TEST(Difference, OfThousandsThatWereRenamedTakesNoSquare) {
   EXPECT_LT(growth_of_comparing(
-                1'000, [](std::size_t count) { return many("A", count); },
+                base::examples(1'000), [](std::size_t count) { return many("A", count); },
                 [](std::size_t count) { return many("B", count); }, [](std::size_t count) { return count; }),
             base::kGrowthOfLine);
 }

@@ -8,6 +8,7 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/base/random.h"
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/sim/simulator.h"
 
 namespace mlab::sim {
@@ -309,8 +310,8 @@ double ray_cast(const Simulator& simulator, BodyIndex self, double angle, double
 }
 
 TEST(Ring, AgreesWithRayCastingInRandomWorlds) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    base::Random random(seed);
+  for (int seed = 1; seed <= base::examples(60); ++seed) {
+    base::Random random(static_cast<std::uint64_t>(seed));
     const Point far = seed % 3 == 0 ? Point{4e6, 4e6} : Point{};
     const auto place = [&] { return far + geom::Offset{random.uniform(-10, 10), random.uniform(-10, 10)}; };
     World world;
@@ -400,8 +401,8 @@ TEST(Ring, AConeTellsTheNearestOfAllRaysInIt) {
 }
 
 TEST(Obstacles, AndRobotsAgreeWithLookingAtEverythingInRandomWorlds) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    base::Random random(seed);
+  for (int seed = 1; seed <= base::examples(40); ++seed) {
+    base::Random random(static_cast<std::uint64_t>(seed));
     const double size = std::pow(10.0, random.uniform(0.5, 4.0));
     const auto place = [&] { return Point{random.uniform(-size, size), random.uniform(-size, size)}; };
     World world;

@@ -22,6 +22,11 @@ inline constexpr bool kIsSlowBuild = false;
 #endif
 #undef MLAB_HAS_FEATURE
 
+/// How many of a test's examples are tried: a slow build, which looks for other mistakes, tries a quarter.
+constexpr int examples(int all) {
+  return kIsSlowBuild ? (all + 3) / 4 : all;
+}
+
 /// The length of a text that tests of speed call a megabyte. A slow build, which looks for other mistakes,
 /// reads a sixteenth of it.
 inline constexpr std::size_t kMegabyte = std::size_t{1} << (kIsSlowBuild ? 16U : 20U);
