@@ -7,12 +7,28 @@
 #include <fmt/core.h>
 
 #include "mlab/agents/agent_process.h"
+#include "mlab/agents/fleet_runner.h"
 #include "mlab/agents/stop_switch.h"
 #include "mlab/cli/interrupt.h"
+#include "mlab/cli/version.h"
 #include "mlab/keys/identity.h"
+#include "mlab/text/age.h"
 
 namespace mlab::cli {
 namespace {
+
+/// What may be to be said, once each time that it is something else.
+class Alert {
+ public:
+  void tell(std::string words, std::vector<std::string>& out) {
+    if (words == told_) return;
+    told_ = words;
+    if (!words.empty()) out.push_back(std::move(words));
+  }
+
+ private:
+  std::string told_;
+};
 
 class FleetStopLine final : public run::StopLine {
  public:
@@ -44,14 +60,10 @@ class FleetStopLine final : public run::StopLine {
     if (now < next_look_) return {};
     next_look_ = now + kBetweenLooks;
     std::vector<std::string> out;
-    if (std::string words = about_forgetful(all_->forgetful()); words != told_forgetful_) {
-      told_forgetful_ = words;
-      if (!words.empty()) out.push_back("the emergency stop is " + std::move(words));
-    }
-    if (std::string words = about_doubles(roster_->members()); words != told_doubles_) {
-      told_doubles_ = words;
-      if (!words.empty()) out.push_back(std::move(words));
-    }
+    std::string forgetful = about_forgetful(all_->forgetful());
+    forgetful_.tell(forgetful.empty() ? "" : "the emergency stop is " + std::move(forgetful), out);
+    doubles_.tell(about_doubles(roster_->members()), out);
+    versions_.tell(about_versions(roster_->members()), out);
     if (withdrawals_.has_changed()) out.push_back(about_withdrawal());
     return out;
   }
@@ -84,22 +96,17 @@ class FleetStopLine final : public run::StopLine {
   std::shared_ptr<agents::Roster> roster_;
   std::unique_ptr<agents::StopSwitch> all_;
   keys::WithdrawalWatch withdrawals_;
-  std::string told_forgetful_;
-  std::string told_doubles_;
+  Alert forgetful_;
+  Alert doubles_;
+  Alert versions_;
   agents::Clock::time_point next_look_;
 };
 
 }  // namespace
 
-std::string age(double seconds) {
-  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.0f} h", seconds / 3600.0);
-}
-
 std::string about_unreached(const std::string& by, double silent) {
-  if (!by.empty()) return fmt::format(" (known by {}, last heard {} ago)", by, age(silent));
-  return silent > 2.0 ? fmt::format(" (silent for {})", age(silent)) : "";
+  if (!by.empty()) return fmt::format(" (known by {}, last heard {} ago)", by, text::age(silent));
+  return silent > 2.0 ? fmt::format(" (silent for {})", text::age(silent)) : "";
 }
 
 std::string about_forgetful(const std::vector<agents::StopSwitch::Forgetful>& agents) {
@@ -120,6 +127,16 @@ std::string about_doubles(const std::vector<agents::Member>& members) {
         out.empty() ? "" : "; ", one.said.name(), one.said.host(), rival->host);
   }
   return out.empty() ? out : out + ": end it, or start it with another --name";
+}
+
+std::string about_versions(const std::vector<agents::Member>& members) {
+  std::string out;
+  for (const agents::Member& one : members) {
+    if (one.state != agents::Member::State::kThere) continue;
+    if (const std::string words = agents::other_version(one.said, kVersion); !words.empty())
+      out += (out.empty() ? "" : "; ") + words;
+  }
+  return out.empty() ? out : out + ": it carries nothing for runs of this one";
 }
 
 std::string stopping_person() {

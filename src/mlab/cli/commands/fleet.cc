@@ -28,6 +28,7 @@
 #include "mlab/cli/output.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/keys/identity.h"
+#include "mlab/text/age.h"
 
 namespace mlab::cli {
 namespace {
@@ -50,9 +51,9 @@ std::string state_of(const Member& member) {
       if (!member.said.not_kept().empty()) return "STOPPED, not kept";
       return member.said.stop().is_engaged() ? "STOPPED" : "there";
     case Member::State::kSilent:
-      return "silent for " + age(seconds_since(member.heard));
+      return "silent for " + text::age(seconds_since(member.heard));
     case Member::State::kGone:
-      return "gone for " + age(seconds_since(member.since));
+      return "gone for " + text::age(seconds_since(member.since));
   }
   return "";
 }
@@ -78,7 +79,7 @@ std::string clock_of(const std::optional<agents::LinkQuality>& link) {
   const double offset = link->clock_offset;
   if (!agents::is_clock_known(*link)) return "the same";
   if (std::abs(offset) < 1.0) return fmt::format("{:+.1f} ms", offset * 1000.0);
-  return fmt::format("{}{}", offset < 0.0 ? "-" : "+", age(std::abs(offset)));
+  return fmt::format("{}{}", offset < 0.0 ? "-" : "+", text::age(std::abs(offset)));
 }
 
 std::string table_of(const std::string& fleet, const std::vector<Member>& members,
@@ -94,13 +95,14 @@ std::string table_of(const std::string& fleet, const std::vector<Member>& member
                        one.said.name(), one.said.host(), colored(state, color_of(one)), link_of(link),
                        clock_of(link), one.said.robots(), one.said.runs(),
                        fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
-                       fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()),
+                       fmt::format("{} MB", one.said.free_memory() >> 20), text::age(one.said.uptime()),
                        one.said.version() +
                            (one.said.has_offered()   ? fmt::format(", `{}` only", one.said.offered().name())
                             : one.said.has_vehicle() ? fmt::format(", vehicle: {}", one.said.vehicle().kind())
                                                      : ""));
   }
   if (const std::string words = about_doubles(members); !words.empty()) out += "warning: " + words + "\n";
+  if (const std::string words = about_versions(members); !words.empty()) out += "warning: " + words + "\n";
   return out;
 }
 
