@@ -50,6 +50,11 @@ std::expected<dds::Network, std::string> network_of(const NetworkOptions& option
     return std::unexpected(fmt::format("--secure: {}", identity.error()));
   out.security = keys::security_in(folder);
   return out;
+  if (is_missing && !options.identity.empty() && !options.identity.contains('/'))
+    return std::unexpected(fmt::format(
+        "--secure: there is no folder `{}`: what follows --secure is the folder of an identity", folder));
 }
 
 }  // namespace mlab::cli
+  if (dds::time_left(*out.security).count() == 0)
+    return std::unexpected(fmt::format("--secure: the identity in `{}` runs out at this moment", folder));

@@ -1,6 +1,7 @@
 #include "mlab/cli/fleet_stop.h"
 
 #include <chrono>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,9 @@ class FleetStopLine final : public run::StopLine {
  public:
   FleetStopLine(std::shared_ptr<agents::Roster> roster, std::unique_ptr<agents::StopSwitch> all,
                 const std::string& identity)
-      : roster_(std::move(roster)), all_(std::move(all)), withdrawals_(identity) {}
+      : roster_(std::move(roster)), all_(std::move(all)), withdrawals_(identity) {
+    if (!identity.empty()) end_ = keys::security_in(identity).end;
+  }
   State state() const override {
     const agents::StopState state = all_->state();
     return {state.is_engaged(), state.by()};
@@ -65,6 +68,7 @@ class FleetStopLine final : public run::StopLine {
     doubles_.tell(about_doubles(roster_->members()), out);
     versions_.tell(about_versions(roster_->members()), out);
     if (withdrawals_.has_changed()) out.push_back(about_withdrawal());
+    own_end_.tell(about_own_end(), out);
     return out;
   }
   void tell(std::function<void()> changed) override { all_->tell(std::move(changed)); }
@@ -83,6 +87,22 @@ class FleetStopLine final : public run::StopLine {
         roster_->fleet(), agents_of_run());
   }
 
+  // In time, so that somebody can do something; and when it is too late.
+  std::string about_own_end() const {
+    if (end_ == 0) return "";
+    if (roster_->participant().has_run_out())
+      return fmt::format(
+          "this machine's identity in the fleet `{}` has run out: no agent hears this run any more, and "
+          "their "
+          "robots stand. `mlab keys` makes another identity; then start the run again",
+          roster_->fleet());
+    const std::string when = keys::running_out(end_);
+    if (when.empty()) return "";
+    return fmt::format(
+        "this machine's identity in the fleet `{}` {}: no agent will hear this run from then on",
+        roster_->fleet(), when);
+  }
+
   // Certificates on the list have no names.
   std::string agents_of_run() const {
     std::string out;
@@ -96,9 +116,11 @@ class FleetStopLine final : public run::StopLine {
   std::shared_ptr<agents::Roster> roster_;
   std::unique_ptr<agents::StopSwitch> all_;
   keys::WithdrawalWatch withdrawals_;
+  std::int64_t end_ = 0;  // of the identity that it takes part with [s since 1970]; 0: there is none
   Alert forgetful_;
   Alert doubles_;
   Alert versions_;
+  Alert own_end_;
   agents::Clock::time_point next_look_;
 };
 

@@ -290,8 +290,8 @@ int show_fleet(const FleetOptions& options) {
     const bool is_read = write_output_now(is_live ? "\x1b[H\x1b[2J" + text : text);
     if (!is_live || !is_read || was_interrupted()) return watchdog.expect_end(kDone);
     view->links->measure(kBetweenLooks);
-    if (!withdrawals.has_changed()) continue;
-    view = View{};  // who was withdrawn hears nothing from here on
+    if (!withdrawals.has_changed() && !view->roster->participant().has_run_out()) continue;
+    view = View{};  // who was withdrawn hears nothing from here on, and who has run out is refused
     view = look(options);
   }
 }
