@@ -39,12 +39,6 @@ void print_line(const std::string& line) {
   write_output_now(fmt::format("{}  {}\n", print(wall_clock()), line));
 }
 
-// One for each name in each fleet on this machine.
-std::string kept_file(const std::string& fleet, const std::string& name, const char* what) {
-  const std::string folder = state_folder();
-  return folder.empty() ? "" : fmt::format("{}/agents/{}@{}.{}", folder, fleet, name, what);
-}
-
 /// Holds a name in a fleet for one agent of this user's on this machine, whatever networks others are on that
 /// would have it, too, and whom it may never hear: all of them would keep their emergency stop in one file.
 class NameHold {
@@ -140,17 +134,17 @@ std::string reach_of(const NetworkOptions& network) {
 }
 
 void tell_ready(const agents::AgentSettings& settings, const NetworkOptions& network,
-  if (const auto& identity = settings.network.security) {
-    if (const std::string words_of_end = keys::running_out(identity->end); !words_of_end.empty())
-      settings.log->add(
-          fmt::format("warning: the identity by which it belongs to the fleet {}", words_of_end));
-  }
                 const MemberWords& words) {
   const std::string what =
       settings.offered.empty() ? "" : fmt::format(", which carries robots of {} only", settings.offered);
   settings.log->add(fmt::format("{} `{}` of {}fleet `{}`{}, {}: {}", words.kind, settings.name,
                                 network.is_secure ? "the secured " : "", settings.network.fleet, what,
                                 reach_of(network), words.does));
+  if (const auto& identity = settings.network.security) {
+    if (const std::string words_of_end = keys::running_out(identity->end); !words_of_end.empty())
+      settings.log->add(
+          fmt::format("warning: the identity by which it belongs to the fleet {}", words_of_end));
+  }
   if (!network.interface_name.empty() && !network.is_secure)
     fmt::print(stderr, "{}: warning: whoever reaches this network {}\n", words.command, words.warning);
 }
@@ -181,13 +175,19 @@ class Watch {
     if (is_ready_) last_seen_.note();
     const double now = steady_seconds();
     if (was_interrupted() || now < next_) return was_interrupted();
-  double end_;
     next_ = now + kApart;
     return withdrawals_.has_changed() || now >= end_;
   }
 
   LastSeen& last_seen_;
   keys::WithdrawalWatch& withdrawals_;
+  double end_;
+  std::stop_source stop_;
+  std::atomic<bool> is_ready_ = false;
+  double next_ = 0.0;
+  std::jthread thread_;
+};
+
 /// By `steady_seconds`: that of the participant, which reckons so, too.
 double end_of_identity(const dds::Network& network) {
   if (!network.security) return std::numeric_limits<double>::infinity();
@@ -207,26 +207,20 @@ std::expected<dds::Network, std::string> network_with_time(const NetworkOptions&
   }
 }
 
-  std::stop_source stop_;
-  std::atomic<bool> is_ready_ = false;
-  double next_ = 0.0;
-  std::jthread thread_;
-};
-
 int serve(agents::AgentSettings settings, const NetworkOptions& options, const MemberWords& words) {
   LastSeen last_seen(kept_file(fleet_of(options.fleet), settings.name, "seen"));
   keys::WithdrawalWatch withdrawals(identity_folder(options));
   settings.tell_stop = [&] { last_seen.want_note(); };
   for (bool is_first = true; !was_interrupted(); is_first = false) {
-    // What could not be read by the clock of before is no news.
-    if (is_first) withdrawals = keys::WithdrawalWatch(identity_folder(options));
-    if (!is_first) settings.log->add("somebody was withdrawn from the fleet: joins it anew");
     const auto network = network_with_time(options, words, *settings.log);
     if (!network && was_interrupted()) return kDone;
     if (!network) {
       fmt::print(stderr, "{}: {}\n", words.command, network.error());
       return kBadInput;
     }
+    // What could not be read by the clock of before is no news.
+    if (is_first) withdrawals = keys::WithdrawalWatch(identity_folder(options));
+    if (!is_first) settings.log->add("somebody was withdrawn from the fleet: joins it anew");
     settings.network = *network;
     last_seen.set_company(agents::company_of(*network));
     Watch watch(last_seen, withdrawals, end_of_identity(*network));
