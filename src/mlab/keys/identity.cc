@@ -1,5 +1,7 @@
 #include "mlab/keys/identity.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -86,11 +88,11 @@ dds::Security security_in(const fs::path& folder) {
 }
 
 bool counts_only_later(const fs::path& folder) {
-  for (const char* const file : {kAuthorityFile, kCertificateFile}) {
+  const std::array files = {kAuthorityFile, kCertificateFile};
+  return std::ranges::any_of(files, [&](const char* file) {
     const auto certificate = read_file(folder / file);
-    if (certificate && seconds_now() < validity_of(*certificate).begin) return true;
-  }
-  return false;
+    return certificate && seconds_now() < validity_of(*certificate).begin;
+  });
 }
 
 std::string running_out(std::int64_t end) {
