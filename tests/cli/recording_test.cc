@@ -42,6 +42,16 @@ TEST_F(RecordingCommand, AreComputedAgainWithoutTheFilesThatTheyWereMadeFrom) {
             without_performance(text_of(folder_ / "now.json")));
 }
 
+TEST_F(RecordingCommand, ThatDontGoOnAreSaidToAtOnceAndTheRunGoesOn) {
+  // Files of 2 KB at most, as a disk would be full then.
+  const Outcome run =
+      mlab("run mission.mdl --headless --speed 20 --record run.mcap", "trap '' XFSZ && ulimit -f 4 &&");
+  EXPECT_EQ(run.status, 1) << run.out << run.err;
+  const std::size_t alert = run.out.find("alert: the run goes on, and is not recorded any more: `run.mcap`");
+  EXPECT_LT(alert, run.out.find("mission done")) << run.out;
+  EXPECT_TRUE(has(run.err, "the recording is not whole")) << run.err;
+}
+
 // It was to go on for so long, and so it is done: nobody interrupted it.
 TEST_F(RecordingCommand, EndAsTheRunDid) {
   const Outcome run = mlab(

@@ -277,6 +277,40 @@ TEST_F(Fleets, TellHowLongTheWayIsAndWhatClocksSay) {
       << "it is the same machine's clock";
 }
 
+TEST_F(Fleets, AnAgentThatHungBeforeSomebodyLooksIsNamed) {
+  make_network(16);
+  const Process north = agent("north");
+  const std::string seen =
+      net().host("north").path(std::string(kAgentState) + "/mlab/agents/alpha@north.seen");
+  for (const auto last = network::Clock::now() + kFleetPatience;
+       !std::filesystem::exists(seen) && network::Clock::now() < last;)
+    std::this_thread::sleep_for(10ms);
+  ASSERT_TRUE(north.signal(SIGSTOP));
+  const auto said_on = [&](const std::string& host, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {MLAB_COMMAND, "fleet", "alpha", "--network",
+                                      net().host(host).address()};
+    words.insert(words.end(), more.begin(), more.end());
+    Process out = net().host(host).start(words, {.environment = {{"XDG_STATE_HOME", kAgentState}}});
+    const auto ending = out.wait(kFleetPatience);
+    return (ending ? ending->words() : "none") + "\n" + out.output() + out.errors();
+  };
+  const std::string there = said_on("north", {"--once"});
+  EXPECT_NE(there.find("nobody is there"), std::string::npos) << there;
+  EXPECT_NE(there.find("`north`, on `north`, is silent: its process "), std::string::npos) << there;
+  EXPECT_NE(there.find("is stopped: `kill -CONT` lets it go on"), std::string::npos) << there;
+  const std::string stopped = said_on("north", {"--stop"});
+  EXPECT_EQ(stopped.find("exit status 1"), 0U) << stopped;
+  EXPECT_NE(stopped.find("0 of 1 agents"), std::string::npos) << stopped;
+  EXPECT_NE(stopped.find("not confirmed by `north`"), std::string::npos) << stopped;
+  EXPECT_EQ(said_on("south", {"--once"}).find("`north`"), std::string::npos) << "nobody there has met it";
+  ASSERT_TRUE(north.signal(SIGCONT));
+  std::string again;
+  for (const auto last = network::Clock::now() + kFleetPatience;
+       again.find(" there ") == std::string::npos && network::Clock::now() < last;)
+    again = said_on("north", {"--once"});
+  EXPECT_EQ(again.find("silent"), std::string::npos) << again;
+}
+
 TEST_F(Fleets, OfDifferentNamesDontHearEachOther) {
   make_network(11);
   const Process north = agent("north", "alpha");

@@ -39,9 +39,24 @@ class SecuredFleet : public Fleets {
   void bring(const std::string& name, Host& from, Host& to) {
     const Said made = mlab(from, {"keys", "alpha", "--add", name});
     ASSERT_EQ(made.ending, "exit status 0") << made.errors;
+    bring_made(name, from, to);
+  }
+  static void bring_made(const std::string& name, Host& from, Host& to) {
     fs::create_directories(to.path(kOwn));
     for (const fs::directory_entry& one : fs::directory_iterator(from.path(std::string(kKeys) + "/" + name)))
       fs::copy_file(one.path(), fs::path(to.path(kOwn)) / one.path().filename());
+  }
+  static constexpr std::chrono::seconds kTwoYears = 730 * 24h;
+  /// What `mlab keys alpha` makes on `base` so long ago.
+  void make_keys_before(std::chrono::seconds ago, const std::vector<std::string>& more) {
+    base().set_clock(-ago);
+    std::vector<std::string> words = {MLAB_COMMAND, "keys", "alpha"};
+    words.insert(words.end(), more.begin(), more.end());
+    Process out =
+        base().start(words, {.environment = {{"XDG_STATE_HOME", kAgentState}}, .follows_clock = true});
+    const auto ending = out.wait(kFleetPatience);
+    EXPECT_TRUE(ending && ending->words() == "exit status 0") << out.errors();
+    base().set_clock(0s);
   }
   /// What `base` has withdrawn, told to another host.
   void bring_withdrawals(Host& to) {
@@ -152,6 +167,108 @@ TEST_F(SecuredFleet, TellsARunThatSomebodyWasWithdrawn) {
                  "when it began: its agents are `south`",
                  kFleetPatience))
       << far.output();
+}
+
+// An identity is good for two years: what was made a little less long ago runs out soon.
+TEST_F(SecuredFleet, LeavesOneWhoseIdentityRunsOutAndSaysSo) {
+  make_network(48);
+  Host& north_host = net().host("north");
+  make_keys_before(kTwoYears - 1h, {});
+  make_keys_before(kTwoYears - 40s, {"--add", "north"});
+  bring_made("north", base(), north_host);
+  Process north = secured_agent("north");
+  EXPECT_TRUE(
+      north.output().contains("warning: the identity by which it belongs to the fleet runs out in less"))
+      << north.output();
+  const Said keys = mlab(base(), {"keys", "alpha"});
+  EXPECT_TRUE(
+      keys.errors.contains("the identity `north` runs out in less than a day: `mlab keys alpha --withdraw"))
+      << keys.errors;
+  const Process far = run(mission("patrol"), {"--secure", kOwn, "--speed", "real"});
+  EXPECT_TRUE(far.prints("this machine's identity in the fleet `alpha` runs out in", kFleetPatience))
+      << far.output() << far.errors();
+  const auto ending = north.wait(2 * kFleetPatience);
+  ASSERT_TRUE(ending) << north.output();
+  EXPECT_EQ(ending->words(), "exit status 2") << "nobody needs to start it again";
+  EXPECT_TRUE(north.errors().contains("runs out at this moment")) << north.errors();
+  EXPECT_TRUE(far.prints("the agent on `north` has left the fleet", kFleetPatience)) << far.output();
+  std::this_thread::sleep_for(3s);
+  const Said late = fleet(north_host, {"--once", "--secure"});
+  EXPECT_EQ(late.ending, "exit status 2");
+  EXPECT_TRUE(
+      late.errors.contains("`mlab keys alpha --withdraw north` and then `mlab keys alpha --add north`"))
+      << late.errors;
+}
+
+// Whoever is heard by nobody any more goes on, says why, and ends as the mission does; whatever its clock
+// says by then.
+TEST_F(SecuredFleet, ARunWhoseIdentityHasRunOutSaysSoAndGoesOn) {
+  make_network(49);
+  make_keys_before(kTwoYears - 30s, {});
+  ASSERT_NO_FATAL_FAILURE(bring("north", base(), net().host("north")));
+  const Process north = secured_agent("north");
+  const std::vector<std::string> words = {MLAB_COMMAND,
+                                          "run",
+                                          mission("patrol"),
+                                          "--headless",
+                                          "--proceed",
+                                          "--robots",
+                                          "fleet",
+                                          "--fleet",
+                                          "alpha",
+                                          "--network",
+                                          base().address(),
+                                          "--secure",
+                                          kOwn,
+                                          "--speed",
+                                          "real",
+                                          "--patience",
+                                          "20"};
+  Process far = base().start(words, {.follows_clock = true});
+  ASSERT_TRUE(far.prints("MOVETO", kFleetPatience)) << far.output() << far.errors();
+  base().set_clock(-1h);
+  EXPECT_TRUE(far.prints("this machine's identity in the fleet `alpha` has run out: no agent hears this run",
+                         kFleetPatience))
+      << far.output();
+  EXPECT_TRUE(far.prints("hears nothing of this run any more: this machine's identity", kFleetPatience))
+      << far.output();
+  const auto ending = far.wait(2 * kFleetPatience);
+  ASSERT_TRUE(ending) << far.output() << far.errors();
+  EXPECT_EQ(ending->words(), "exit status 1") << far.output() << far.errors();
+}
+
+TEST_F(SecuredFleet, AnAgentWaitsUntilItsMachinesClockIsSet) {
+  ASSERT_NO_FATAL_FAILURE(make_members(50));
+  Host& north_host = net().host("north");
+  north_host.set_clock(-900 * 24h);
+  Process north = north_host.start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "north", "--network",
+                                    north_host.address(), "--secure"},
+                                   {.environment = {{"XDG_STATE_HOME", kAgentState}}, .follows_clock = true});
+  EXPECT_TRUE(north.prints("waits until this machine's clock is set", kFleetPatience))
+      << north.output() << north.errors();
+  EXPECT_TRUE(north.errors().contains("is this machine's clock right?")) << north.errors();
+  EXPECT_FALSE(north.output().contains("waits for runs"));
+  north_host.set_clock(0s);
+  EXPECT_TRUE(north.prints("waits for runs", kFleetPatience)) << north.output() << north.errors();
+  EXPECT_FALSE(north.prints("somebody was withdrawn", 3s)) << "nobody was";
+}
+
+TEST_F(SecuredFleet, TakesOverAListThatIsNewerThanItsMachinesClockSays) {
+  ASSERT_NO_FATAL_FAILURE(make_members(51));
+  Host& north_host = net().host("north");
+  north_host.set_clock(-20h);  // its identity counts from a day before it was made
+  Process north = north_host.start({MLAB_COMMAND, "agent", "--fleet", "alpha", "--name", "north", "--network",
+                                    north_host.address(), "--secure"},
+                                   {.environment = {{"XDG_STATE_HOME", kAgentState}}, .follows_clock = true});
+  ASSERT_TRUE(north.prints("waits for runs", kFleetPatience)) << north.output() << north.errors();
+  base().set_clock(24h);
+  Process withdraws = base().start({MLAB_COMMAND, "keys", "alpha", "--withdraw", "south"},
+                                   {.environment = {{"XDG_STATE_HOME", kAgentState}}, .follows_clock = true});
+  ASSERT_TRUE(withdraws.wait(kFleetPatience)) << withdraws.errors();
+  bring_withdrawals(north_host);
+  ASSERT_TRUE(north.prints("somebody was withdrawn from the fleet: joins it anew", kFleetPatience))
+      << north.output() << north.errors();
+  EXPECT_TRUE(sees(base(), "north")) << north.output() << north.errors();
 }
 
 TEST_F(SecuredFleet, HasNoHalfMadeIdentityAfterAFullDisk) {

@@ -393,7 +393,10 @@ TEST(RobotsAtAgents, AreSharedOutAndFailWithTheirAgent) {
   EXPECT_TRUE(first.action().drives);
   EXPECT_EQ(second.failure(), "can't be reached: the agent on `birch` ended");
   EXPECT_FALSE(second.action().drives);
+  EXPECT_FALSE(runner.has_lost(first.member()));
+  EXPECT_TRUE(runner.has_lost(second.member()));
   ASSERT_EQ(second.start(), std::nullopt) << "the other agent takes it";
+  EXPECT_FALSE(runner.has_lost(second.member()));
   cycles({&first, &second}, 1);
   EXPECT_EQ(second.failure(), "");
   EXPECT_TRUE(second.action().drives);

@@ -74,8 +74,10 @@ void DdsLink::fail(std::string why) {
   if (failure_.empty()) failure_ = std::move(why);
 }
 
-// Whoever stood still himself hears of the others as if they had gone.
+// Whoever stood still himself, or is not let in any more, hears of the others as if they had gone.
 std::string DdsLink::why_lost(std::string otherwise) const {
+  if (roster_->participant().has_run_out())
+    return "hears nothing of this run any more: this machine's identity in the secured fleet has run out";
   constexpr std::chrono::seconds kRecently(10);
   const auto own = roster_->standstill();
   if (!own || own->seconds < patience_with_silence() || Clock::now() - own->ended > kRecently)

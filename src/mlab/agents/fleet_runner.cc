@@ -14,6 +14,7 @@
 #include "mlab/robot/remote/remote_runner.h"
 #include "mlab/robot/wire/arithmetic.h"
 #include "mlab/robot/wire/shared_cycle.h"
+#include "mlab/text/age.h"
 #include "mlab/text/shell_word.h"
 #include "mlab/text/shown.h"
 
@@ -131,8 +132,33 @@ class Recruits {
           "that "
           "does",
           fleet, others, words);
+    if (const auto gone = who_has_gone(program.host))
+      return about_gone(*gone, host.empty()) +
+             (gone->said.has_vehicle() ? ": start it again there"
+                                       : fmt::format(": {}`mlab agent --fleet {}{}` starts one",
+                                                     host.empty() ? "" : "there, ", fleet, words));
     return fmt::format("{0} has joined the fleet `{1}`: {2}`mlab agent --fleet {1}{3}` starts one{4}", who,
                        fleet, host.empty() ? "" : "there, ", words, hints_.unseen);
+  }
+  // Of those who had joined, and may have been meant, the one that was heard last. Nothing: nobody had, or
+  // somebody is there still.
+  std::optional<Member> who_has_gone(const std::string& host) const {
+    std::optional<Member> last;
+    for (Member& one : roster_->members()) {
+      if (host.empty() ? one.said.has_vehicle() : one.said.name() != host) continue;
+      if (one.state == Member::State::kThere) return std::nullopt;
+      if (!last || one.heard > last->heard) last = std::move(one);
+    }
+    return last;
+  }
+  // `north`, on `n1`, left the fleet `alpha` 14 s ago.
+  std::string about_gone(const Member& gone, bool was_last) const {
+    const std::string since = text::age(robot_remote::in_seconds(Clock::now() - gone.heard));
+    const std::string name = fmt::format("`{}`, on `{}`,", gone.said.name(), gone.said.host());
+    return (was_last ? "nobody is left: " : "") +
+           (gone.has_left ? fmt::format("{} left the fleet `{}` {} ago", name, roster_->fleet(), since)
+                          : fmt::format("nothing has been heard of {} in the fleet `{}` for {}", name,
+                                        roster_->fleet(), since));
   }
   // Members that carry robots of one executable each, and nothing else: "`f1` carries those of `walker`
   // only".
@@ -167,9 +193,7 @@ class Recruits {
           "--real-time "
           "takes it",
           agent.name());
-    return fmt::format("the agent on `{}` is missionlab {} (protocol {}), and this is {} (protocol {})",
-                       agent.name(), agent.version(), agent.protocol(), version_,
-                       robot_remote::kAgentProtocol);
+    return other_version(agent, version_);
   }
 
   std::shared_ptr<Roster> roster_;
@@ -184,6 +208,15 @@ class Recruits {
 };
 
 }  // namespace
+
+std::string other_version(const wire::AgentPresence& agent, const std::string& version) {
+  if (agent.has_vehicle() || is_of(agent, version)) return "";
+  const bool is_same_name = agent.version() == version && agent.protocol() == robot_remote::kAgentProtocol;
+  return fmt::format("the agent on `{}` is missionlab {} (protocol {}), and this is {}", agent.name(),
+                     agent.version(), agent.protocol(),
+                     is_same_name ? "another build of that, which lays out robots' memory otherwise"
+                                  : fmt::format("{} (protocol {})", version, robot_remote::kAgentProtocol));
+}
 
 std::unique_ptr<robot::ProgramRunner> make_fleet_runner(std::shared_ptr<Roster> roster, std::uint64_t seed,
                                                         const std::string& version, double period,

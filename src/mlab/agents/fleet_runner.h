@@ -21,6 +21,11 @@ struct StartHints {
 /// For agents that somebody wants and that are not there.
 inline constexpr std::chrono::seconds kJoiningPatience(5);
 
+/// Why an agent of another version carries nothing for a run: half a sentence, `the agent on ...`. Empty: it
+/// is of the same, or a vehicle, which carries no programs.
+/// @param version  of this program
+std::string other_version(const wire::AgentPresence& agent, const std::string& version);
+
 /// Runs the robots of one run at the agents of a fleet: those that are there, and those that join while it
 /// runs.
 /// @param version  of this program; agents of another one are not asked

@@ -69,6 +69,9 @@ Siblings::Siblings(const std::string& stop_file, std::string company) : company_
   own_ = *own_name;
 }
 
+Siblings::Siblings(fs::path folder, const std::string& fleet, std::string company)
+    : folder_(std::move(folder)), before_(fleet + "@"), company_(std::move(company)) {}
+
 fs::path Siblings::file(const std::string& name, std::string_view what) const {
   return folder_ / fmt::format("{}{}{}", before_, name, what);
 }

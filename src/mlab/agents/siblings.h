@@ -41,6 +41,9 @@ class Siblings {
  public:
   /// @param stop_file  of the agent that asks; empty, or of another name: it has none
   Siblings(const std::string& stop_file, std::string company);
+  /// All of them, for who is none.
+  /// @param folder  where they keep that; empty: there is nobody
+  Siblings(std::filesystem::path folder, const std::string& fleet, std::string company);
 
   /// Looks at what has changed; to be called twice a second. By name; who has ended in order is left out.
   const std::vector<Sibling>& look();

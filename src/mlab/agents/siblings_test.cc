@@ -93,6 +93,13 @@ TEST_F(SiblingsTest, ThatNoteNothingAnyMoreAreMissed) {
   EXPECT_TRUE(siblings.all().at(0).is_there);
 }
 
+TEST_F(SiblingsTest, AreSeenByWhoIsNone) {
+  for (const char* name : {"north", "south"}) note(name);
+  std::ofstream(folder_ / "beta@other.seen") << "1 " << kOurs;
+  EXPECT_EQ(names(Siblings(folder_, "alpha", kOurs).look()), "north south ");
+  EXPECT_TRUE(Siblings(fs::path(), "alpha", kOurs).look().empty());
+}
+
 TEST_F(SiblingsTest, AreNoneOfWhoKeepsNothing) {
   note("south");
   EXPECT_TRUE(Siblings("", kOurs).look().empty());

@@ -9,8 +9,10 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <expected>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -35,12 +37,6 @@ namespace {
 // A line of the agent's log, at once.
 void print_line(const std::string& line) {
   write_output_now(fmt::format("{}  {}\n", print(wall_clock()), line));
-}
-
-// One for each name in each fleet on this machine.
-std::string kept_file(const std::string& fleet, const std::string& name, const char* what) {
-  const std::string folder = state_folder();
-  return folder.empty() ? "" : fmt::format("{}/agents/{}@{}.{}", folder, fleet, name, what);
 }
 
 /// Holds a name in a fleet for one agent of this user's on this machine, whatever networks others are on that
@@ -144,16 +140,25 @@ void tell_ready(const agents::AgentSettings& settings, const NetworkOptions& net
   settings.log->add(fmt::format("{} `{}` of {}fleet `{}`{}, {}: {}", words.kind, settings.name,
                                 network.is_secure ? "the secured " : "", settings.network.fleet, what,
                                 reach_of(network), words.does));
+  if (const auto& identity = settings.network.security) {
+    if (const std::string words_of_end = keys::running_out(identity->end); !words_of_end.empty())
+      settings.log->add(
+          fmt::format("warning: the identity by which it belongs to the fleet {}", words_of_end));
+  }
   if (!network.interface_name.empty() && !network.is_secure)
     fmt::print(stderr, "{}: warning: whoever reaches this network {}\n", words.command, words.warning);
 }
 
-/// Ends what an agent does when it is interrupted, or when somebody was withdrawn from its fleet: who has
-/// joined knows only of those who were withdrawn before.
+/// Ends what an agent does when it is interrupted, when its own identity runs out, or when somebody was
+/// withdrawn from its fleet: who has joined knows only of those who were withdrawn before.
 class Watch {
  public:
-  Watch(LastSeen& last_seen, keys::WithdrawalWatch& withdrawals)
-      : last_seen_(last_seen), withdrawals_(withdrawals), thread_([this](const std::stop_token& over) {
+  /// @param end  of its identity, by `steady_seconds`
+  Watch(LastSeen& last_seen, keys::WithdrawalWatch& withdrawals, double end)
+      : last_seen_(last_seen),
+        withdrawals_(withdrawals),
+        end_(end),
+        thread_([this](const std::stop_token& over) {
           while (!over.stop_requested() && !is_over())
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
           stop_.request_stop();
@@ -171,31 +176,54 @@ class Watch {
     const double now = steady_seconds();
     if (was_interrupted() || now < next_) return was_interrupted();
     next_ = now + kApart;
-    return withdrawals_.has_changed();
+    return withdrawals_.has_changed() || now >= end_;
   }
 
   LastSeen& last_seen_;
   keys::WithdrawalWatch& withdrawals_;
+  double end_;
   std::stop_source stop_;
   std::atomic<bool> is_ready_ = false;
   double next_ = 0.0;
   std::jthread thread_;
 };
 
+/// By `steady_seconds`: that of the participant, which reckons so, too.
+double end_of_identity(const dds::Network& network) {
+  if (!network.security) return std::numeric_limits<double>::infinity();
+  return steady_seconds() + static_cast<double>(dds::time_left(*network.security).count());
+}
+
+/// As `network_of`, once this machine's clock is so far that the identity counts: it may be set only some
+/// seconds after the machine was switched on.
+std::expected<dds::Network, std::string> network_with_time(const NetworkOptions& options,
+                                                           const MemberWords& words, agents::AgentLog& log) {
+  for (bool is_said = false;; is_said = true) {
+    auto out = network_of(options);
+    if (out || was_interrupted() || !keys::counts_only_later(identity_folder(options))) return out;
+    if (!is_said) fmt::print(stderr, "{}: {}\n", words.command, out.error());
+    if (!is_said) log.add("waits until this machine's clock is set");
+    std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  }
+}
+
 int serve(agents::AgentSettings settings, const NetworkOptions& options, const MemberWords& words) {
   LastSeen last_seen(kept_file(fleet_of(options.fleet), settings.name, "seen"));
   keys::WithdrawalWatch withdrawals(identity_folder(options));
   settings.tell_stop = [&] { last_seen.want_note(); };
   for (bool is_first = true; !was_interrupted(); is_first = false) {
-    if (!is_first) settings.log->add("somebody was withdrawn from the fleet: joins it anew");
-    const auto network = network_of(options);
+    const auto network = network_with_time(options, words, *settings.log);
+    if (!network && was_interrupted()) return kDone;
     if (!network) {
       fmt::print(stderr, "{}: {}\n", words.command, network.error());
       return kBadInput;
     }
+    // What could not be read by the clock of before is no news.
+    if (is_first) withdrawals = keys::WithdrawalWatch(identity_folder(options));
+    if (!is_first) settings.log->add("somebody was withdrawn from the fleet: joins it anew");
     settings.network = *network;
     last_seen.set_company(agents::company_of(*network));
-    Watch watch(last_seen, withdrawals);
+    Watch watch(last_seen, withdrawals, end_of_identity(*network));
     // Who runs it starts one again that has failed.
     const agents::EndingWatchdog watchdog(words.command, [over = watch.token()] {
       const std::optional<int> status = was_interrupted() ? kDone : kFailed;

@@ -11,6 +11,16 @@
 
 namespace mlab::cli {
 
+std::string agents_folder() {
+  const std::string folder = state_folder();
+  return folder.empty() ? "" : folder + "/agents";
+}
+
+std::string kept_file(const std::string& fleet, const std::string& name, const char* what) {
+  const std::string folder = agents_folder();
+  return folder.empty() ? "" : fmt::format("{}/{}@{}.{}", folder, fleet, name, what);
+}
+
 std::string keys_folder(const std::string& fleet) {
   const std::string folder = state_folder();
   return folder.empty() ? "" : fmt::format("{}/keys/{}", folder, fleet);
@@ -40,6 +50,9 @@ std::expected<dds::Network, std::string> network_of(const NetworkOptions& option
         "--secure: there is no folder `{}`: this machine has the fleet's keys, and `mlab keys {} --add {}` "
         "makes its identity",
         folder, out.fleet, keys::kOwnIdentity));
+  if (is_missing && !options.identity.empty() && !options.identity.contains('/'))
+    return std::unexpected(fmt::format(
+        "--secure: there is no folder `{}`: what follows --secure is the folder of an identity", folder));
   if (is_missing)
     return std::unexpected(
         fmt::format("--secure: there is no folder `{}`: `mlab keys {}` makes one, or `mlab keys {} --add "
@@ -49,6 +62,8 @@ std::expected<dds::Network, std::string> network_of(const NetworkOptions& option
   if (const auto identity = keys::check_identity(folder, out.fleet); !identity)
     return std::unexpected(fmt::format("--secure: {}", identity.error()));
   out.security = keys::security_in(folder);
+  if (dds::time_left(*out.security).count() == 0)
+    return std::unexpected(fmt::format("--secure: the identity in `{}` runs out at this moment", folder));
   return out;
 }
 

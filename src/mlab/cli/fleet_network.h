@@ -12,6 +12,11 @@ inline std::string fleet_of(const std::string& named) {
   return named.empty() ? "default" : named;
 }
 
+/// Where agents of this user keep what outlives them; empty where there is no such place.
+std::string agents_folder();
+/// One of their files, for each name in each fleet on this machine; empty as above.
+std::string kept_file(const std::string& fleet, const std::string& name, const char* what);
+
 /// Where the keys of a secured fleet are on this machine, by the rules of XDG; it may be missing. Empty where
 /// there is no such place.
 std::string keys_folder(const std::string& fleet);

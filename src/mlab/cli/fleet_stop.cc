@@ -1,24 +1,43 @@
 #include "mlab/cli/fleet_stop.h"
 
 #include <chrono>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "mlab/agents/agent_process.h"
+#include "mlab/agents/fleet_runner.h"
 #include "mlab/agents/stop_switch.h"
 #include "mlab/cli/interrupt.h"
+#include "mlab/cli/version.h"
 #include "mlab/keys/identity.h"
+#include "mlab/text/age.h"
 
 namespace mlab::cli {
 namespace {
+
+/// What may be to be said, once each time that it is something else.
+class Alert {
+ public:
+  void tell(std::string words, std::vector<std::string>& out) {
+    if (words == told_) return;
+    told_ = words;
+    if (!words.empty()) out.push_back(std::move(words));
+  }
+
+ private:
+  std::string told_;
+};
 
 class FleetStopLine final : public run::StopLine {
  public:
   FleetStopLine(std::shared_ptr<agents::Roster> roster, std::unique_ptr<agents::StopSwitch> all,
                 const std::string& identity)
-      : roster_(std::move(roster)), all_(std::move(all)), withdrawals_(identity) {}
+      : roster_(std::move(roster)), all_(std::move(all)), withdrawals_(identity) {
+    if (!identity.empty()) end_ = keys::security_in(identity).end;
+  }
   State state() const override {
     const agents::StopState state = all_->state();
     return {state.is_engaged(), state.by()};
@@ -44,15 +63,12 @@ class FleetStopLine final : public run::StopLine {
     if (now < next_look_) return {};
     next_look_ = now + kBetweenLooks;
     std::vector<std::string> out;
-    if (std::string words = about_forgetful(all_->forgetful()); words != told_forgetful_) {
-      told_forgetful_ = words;
-      if (!words.empty()) out.push_back("the emergency stop is " + std::move(words));
-    }
-    if (std::string words = about_doubles(roster_->members()); words != told_doubles_) {
-      told_doubles_ = words;
-      if (!words.empty()) out.push_back(std::move(words));
-    }
+    std::string forgetful = about_forgetful(all_->forgetful());
+    forgetful_.tell(forgetful.empty() ? "" : "the emergency stop is " + std::move(forgetful), out);
+    doubles_.tell(about_doubles(roster_->members()), out);
+    versions_.tell(about_versions(roster_->members()), out);
     if (withdrawals_.has_changed()) out.push_back(about_withdrawal());
+    own_end_.tell(about_own_end(), out);
     return out;
   }
   void tell(std::function<void()> changed) override { all_->tell(std::move(changed)); }
@@ -71,6 +87,22 @@ class FleetStopLine final : public run::StopLine {
         roster_->fleet(), agents_of_run());
   }
 
+  // In time, so that somebody can do something; and when it is too late.
+  std::string about_own_end() const {
+    if (end_ == 0) return "";
+    if (roster_->participant().has_run_out())
+      return fmt::format(
+          "this machine's identity in the fleet `{}` has run out: no agent hears this run any more, and "
+          "their "
+          "robots stand. `mlab keys` makes another identity; then start the run again",
+          roster_->fleet());
+    const std::string when = keys::running_out(end_);
+    if (when.empty()) return "";
+    return fmt::format(
+        "this machine's identity in the fleet `{}` {}: no agent will hear this run from then on",
+        roster_->fleet(), when);
+  }
+
   // Certificates on the list have no names.
   std::string agents_of_run() const {
     std::string out;
@@ -84,22 +116,19 @@ class FleetStopLine final : public run::StopLine {
   std::shared_ptr<agents::Roster> roster_;
   std::unique_ptr<agents::StopSwitch> all_;
   keys::WithdrawalWatch withdrawals_;
-  std::string told_forgetful_;
-  std::string told_doubles_;
+  std::int64_t end_ = 0;  // of the identity that it takes part with [s since 1970]; 0: there is none
+  Alert forgetful_;
+  Alert doubles_;
+  Alert versions_;
+  Alert own_end_;
   agents::Clock::time_point next_look_;
 };
 
 }  // namespace
 
-std::string age(double seconds) {
-  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.0f} h", seconds / 3600.0);
-}
-
 std::string about_unreached(const std::string& by, double silent) {
-  if (!by.empty()) return fmt::format(" (known by {}, last heard {} ago)", by, age(silent));
-  return silent > 2.0 ? fmt::format(" (silent for {})", age(silent)) : "";
+  if (!by.empty()) return fmt::format(" (known by {}, last heard {} ago)", by, text::age(silent));
+  return silent > 2.0 ? fmt::format(" (silent for {})", text::age(silent)) : "";
 }
 
 std::string about_forgetful(const std::vector<agents::StopSwitch::Forgetful>& agents) {
@@ -120,6 +149,16 @@ std::string about_doubles(const std::vector<agents::Member>& members) {
         out.empty() ? "" : "; ", one.said.name(), one.said.host(), rival->host);
   }
   return out.empty() ? out : out + ": end it, or start it with another --name";
+}
+
+std::string about_versions(const std::vector<agents::Member>& members) {
+  std::string out;
+  for (const agents::Member& one : members) {
+    if (one.state != agents::Member::State::kThere) continue;
+    if (const std::string words = agents::other_version(one.said, kVersion); !words.empty())
+      out += (out.empty() ? "" : "; ") + words;
+  }
+  return out.empty() ? out : out + ": it carries nothing for runs of this one";
 }
 
 std::string stopping_person() {

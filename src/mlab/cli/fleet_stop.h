@@ -20,9 +20,6 @@ namespace mlab::cli {
 std::expected<std::shared_ptr<run::StopLine>, std::string> fleet_stop_line(
     std::shared_ptr<agents::Roster> roster, std::string by, const std::string& identity);
 
-/// A length of time for people: `14 s`, `3 min`, `5 h`.
-std::string age(double seconds);
-
 /// What is said behind the name of an agent that has not confirmed: how long nothing has been heard of it,
 /// and who knows of it where it was never heard here. Empty: it was heard just now.
 std::string about_unreached(const std::string& by, double silent);
@@ -32,6 +29,9 @@ std::string about_forgetful(const std::vector<agents::StopSwitch::Forgetful>& ag
 
 /// What is said of names that two agents have, as long as both are there; empty: there are none.
 std::string about_doubles(const std::vector<agents::Member>& members);
+
+/// What is said of those who are there, and of another version than this program; empty: there are none.
+std::string about_versions(const std::vector<agents::Member>& members);
 
 /// Who pulls it from here: the machine's name.
 std::string stopping_person();

@@ -32,6 +32,12 @@ void RunRecording::note(run::MissionRun::Progress progress) {
   recorder_.note_cycle();
 }
 
+std::string RunRecording::take_problem() {
+  if (is_problem_taken_ || recorder_.problem().empty()) return "";
+  is_problem_taken_ = true;
+  return recorder_.problem();
+}
+
 bool RunRecording::end(const std::string& command, const std::string& outcome) {
   recorder_.end(outcome);
   if (recorder_.problem().empty()) {

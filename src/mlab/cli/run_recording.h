@@ -22,6 +22,8 @@ class RunRecording {
   void note(run::MissionRun::Progress progress);
   /// Beside the run, once it is started: as history::Recorder.
   void put_metadata(const mcap::Metadata& metadata) { recorder_.put_metadata(metadata); }
+  /// Why what comes from now on is not kept, once; empty: it is, or that was said.
+  std::string take_problem();
   /// The run is over. Says where the recording is, or that it is not whole.
   /// @param command  that was typed: `mlab run`
   /// @return false: it is not whole
@@ -30,6 +32,7 @@ class RunRecording {
  private:
   history::Recorder recorder_;
   std::unique_ptr<viewers::Viewers> viewers_;  // null: nothing for viewers
+  bool is_problem_taken_ = false;
 };
 
 }  // namespace mlab::cli

@@ -48,6 +48,10 @@ std::expected<Reader, std::string> Participant::reader(std::string_view topic, C
   return Reader(std::move(state));
 }
 
+bool Participant::has_run_out() const {
+  return core_->has_run_out();
+}
+
 std::vector<std::string> Participant::complaints() {
   return core_->complaints.take();
 }

@@ -53,6 +53,10 @@ class Participant {
   /// @errors  a sentence
   std::expected<Reader, std::string> reader(std::string_view topic, ChannelKind kind, const Waiter& waiter);
 
+  /// By what it proves who it is has run out (`time_left` of security.h): in a moment nobody hears it any
+  /// more, and it makes no writer or reader.
+  bool has_run_out() const;
+
   /// What Cyclone has warned of since the last call, the newest 50: networks that went away, packets of
   /// strangers that it could not read. It writes nothing to the terminal.
   std::vector<std::string> complaints();

@@ -74,7 +74,7 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
   if (const auto checked = configuration_of(network); !checked) return std::unexpected(checked.error());
   const auto identity = identity_of(network);
   if (!identity) return std::unexpected(identity.error());
-  auto core = std::make_shared<ParticipantCore>(network.security.has_value());
+  auto core = std::make_shared<ParticipantCore>(network.security);
   const std::uint32_t number = core->number.value();
   if (number == 0) return std::unexpected("this process takes part in too many secured fleets");
   const auto failed = [&](std::string_view what, dds_entity_t code) {
@@ -112,6 +112,7 @@ Prompter& ParticipantCore::prompter() {
 }
 
 std::expected<Entity, std::string> ParticipantCore::topic(std::string_view name) const {
+  if (has_run_out()) return std::unexpected("this machine's identity in the secured fleet has run out");
   if (name.empty()) return std::unexpected("the topic has no name");
   if (name.size() > kMaxTopicName)
     return std::unexpected(

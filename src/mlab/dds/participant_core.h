@@ -2,6 +2,7 @@
 
 #include <dds/dds.h>
 
+#include <chrono>
 #include <cstdint>
 #include <expected>
 #include <memory>
@@ -27,10 +28,16 @@ class ParticipantCore {
 
   /// Every participant has a domain of its own, whose number means something to this process only: one
   /// configuration for each, and nothing shared with others of the process.
-  explicit ParticipantCore(bool is_secured) : number(is_secured), complaints(number.value()) {}
+  explicit ParticipantCore(const std::optional<Security>& identity)
+      : number(identity.has_value()), complaints(number.value()) {
+    if (identity) end_ = std::chrono::steady_clock::now() + time_left(*identity);
+  }
 
   /// @errors  a sentence
   std::expected<Entity, std::string> topic(std::string_view name) const;
+
+  /// As Participant::has_run_out.
+  bool has_run_out() const { return end_ && std::chrono::steady_clock::now() >= *end_; }
 
   /// Made when it is asked for first.
   Prompter& prompter();
@@ -45,6 +52,7 @@ class ParticipantCore {
   Guid guid;
 
  private:
+  std::optional<std::chrono::steady_clock::time_point> end_;  // of the identity; nothing: it has none
   std::once_flag prompts_;
   std::optional<Prompter> prompter_;
 };

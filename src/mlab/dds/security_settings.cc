@@ -3,7 +3,9 @@
 #include <dds/dds.h>
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -106,6 +108,15 @@ std::array<Part, 7> parts_of(const Security& files) {
 }
 
 }  // namespace
+
+std::chrono::seconds time_left(const Security& security) {
+  constexpr std::chrono::seconds kTakingLeave(2);
+  constexpr std::chrono::seconds kLong = std::chrono::years(100);
+  if (security.end == 0) return kLong;
+  const std::chrono::sys_seconds end{std::chrono::seconds(security.end)};
+  const auto now = std::chrono::ceil<std::chrono::seconds>(std::chrono::system_clock::now());
+  return std::clamp(end - now - kTakingLeave, std::chrono::seconds(0), kLong);
+}
 
 std::expected<Qos, std::string> identity_of(const Network& network) {
   if (!network.security) return Qos();

@@ -90,11 +90,6 @@ std::string pem_of(EVP_PKEY* key) {
   return written(PEM_write_bio_PKCS8PrivateKey, key, nullptr, nullptr, 0, nullptr, nullptr);
 }
 
-std::int64_t now() {
-  return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
 std::int64_t seconds_of(const ASN1_TIME* time) {
   std::tm parts{};
   return ASN1_TIME_to_tm(time, &parts) == 1 ? ::timegm(&parts) : 0;
@@ -162,6 +157,11 @@ bool finish_identity(X509* made, X509* issuer, EVP_PKEY* key) {
          X509_sign(made, key, EVP_sha256()) > 0;
 }
 
+std::string counts_later(std::int64_t begin) {
+  return fmt::format("counts only {} from now: is this machine's clock right?",
+                     days_between(seconds_now(), begin));
+}
+
 bool add_to(X509_CRL* list, X509* certificate, std::int64_t when) {
   std::unique_ptr<X509_REVOKED, Free<X509_REVOKED_free>> entry(X509_REVOKED_new());
   const std::unique_ptr<ASN1_TIME, Free<ASN1_TIME_free>> time(ASN1_TIME_set(nullptr, when));
@@ -181,15 +181,20 @@ bool begin_list(X509_CRL* list, X509* issuer, const Validity& validity) {
          X509_CRL_set1_lastUpdate(list, begin.get()) == 1 && X509_CRL_set1_nextUpdate(list, end.get()) == 1;
 }
 
+}  // namespace
+
+std::int64_t seconds_now() {
+  return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
 std::string days_between(std::int64_t earlier, std::int64_t later) {
   const std::int64_t days = (later - earlier) / kDay;
   return days == 0 ? "less than a day" : fmt::format("{} day{}", days, days == 1 ? "" : "s");
 }
 
-}  // namespace
-
 Validity valid_for_days(int days) {
-  return {.begin = now() - kDay, .end = now() + days * kDay};
+  return {.begin = seconds_now() - kDay, .end = seconds_now() + days * kDay};
 }
 
 std::expected<KeyPair, std::string> make_authority(const std::string& name, const Validity& validity) {
@@ -236,7 +241,7 @@ std::expected<std::string, std::string> make_withdrawal_list(const KeyPair& auth
     return failed("no list of withdrawn certificates could be made");
   for (const std::string& one : withdrawn) {
     const Certificate certificate = certificate_in(one);
-    if (!certificate || !add_to(list.get(), certificate.get(), now()))
+    if (!certificate || !add_to(list.get(), certificate.get(), seconds_now()))
       return failed("a certificate could not be withdrawn");
   }
   if (X509_CRL_sort(list.get()) != 1 || X509_CRL_sign(list.get(), issuing.get(), EVP_sha256()) <= 0)
@@ -258,9 +263,18 @@ std::string subject_in(const std::string& certificate) {
   return text_in(memory.get());
 }
 
-std::int64_t end_of(const std::string& certificate) {
+Validity validity_of(const std::string& certificate) {
   const Certificate read = certificate_in(certificate);
-  return read ? seconds_of(X509_get0_notAfter(read.get())) : 0;
+  if (!read) return {};
+  return {.begin = seconds_of(X509_get0_notBefore(read.get())),
+          .end = seconds_of(X509_get0_notAfter(read.get()))};
+}
+
+Validity list_validity_of(const std::string& list) {
+  const List read = list_in(list);
+  if (!read) return {};
+  return {.begin = seconds_of(X509_CRL_get0_lastUpdate(read.get())),
+          .end = seconds_of(X509_CRL_get0_nextUpdate(read.get()))};
 }
 
 std::expected<void, std::string> check_certificate(const std::string& certificate,
@@ -273,12 +287,11 @@ std::expected<void, std::string> check_certificate(const std::string& certificat
     ERR_clear_error();
     return std::unexpected("was made by another authority");
   }
-  const std::int64_t begin = seconds_of(X509_get0_notBefore(read.get()));
-  const std::int64_t end = seconds_of(X509_get0_notAfter(read.get()));
-  if (now() >= end) return std::unexpected(fmt::format("expired {} ago", days_between(end, now())));
-  if (now() >= begin) return {};
-  return std::unexpected(
-      fmt::format("counts only {} from now: is this machine's clock right?", days_between(now(), begin)));
+  const Validity validity = validity_of(certificate);
+  if (seconds_now() >= validity.end)
+    return std::unexpected(fmt::format("expired {} ago", days_between(validity.end, seconds_now())));
+  if (seconds_now() < validity.begin) return std::unexpected(counts_later(validity.begin));
+  return {};
 }
 
 std::expected<void, std::string> check_key(const std::string& certificate, const std::string& key) {
@@ -321,7 +334,9 @@ std::expected<void, std::string> check_list(const std::string& list, const std::
   const bool is_good = key && X509_CRL_verify(read.get(), key.get()) == 1;
   ERR_clear_error();
   if (!is_good) return std::unexpected("was not signed by this authority, or was changed since");
-  if (seconds_of(X509_CRL_get0_nextUpdate(read.get())) > now()) return {};
+  const Validity validity = list_validity_of(list);
+  if (seconds_now() < validity.begin) return std::unexpected(counts_later(validity.begin));
+  if (validity.end > seconds_now()) return {};
   return std::unexpected("is out of date");
 }
 

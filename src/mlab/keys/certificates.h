@@ -45,9 +45,18 @@ std::string name_in(const std::string& certificate);
 /// The name as permissions have to name it.
 std::string subject_in(const std::string& certificate);
 
-/// Till when it is good.
-/// @return  [s since 1970]; 0: it is no certificate
-std::int64_t end_of(const std::string& certificate);
+/// From when on, and till when it is good. All zero: it is no certificate.
+Validity validity_of(const std::string& certificate);
+
+/// The same of a list of withdrawn certificates.
+Validity list_validity_of(const std::string& list);
+
+/// In words: `3 days`, `less than a day`.
+/// @param earlier, later  [s since 1970]
+std::string days_between(std::int64_t earlier, std::int64_t later);
+
+/// By the machine's clock [s since 1970].
+std::int64_t seconds_now();
 
 /// Why a certificate is not good now, whatever list there is.
 /// @errors  half a sentence: `is no certificate`, `expired 3 days ago`

@@ -174,6 +174,17 @@ std::vector<std::string> FleetKeys::half_made() const {
   return out;
 }
 
+std::vector<FleetKeys::RunningOut> FleetKeys::running_out() const {
+  std::vector<RunningOut> out;
+  for (const std::string& name : names()) {
+    const auto certificate = read_file(issued(name));
+    if (!certificate) continue;
+    std::string when = keys::running_out(validity_of(*certificate).end);
+    if (!when.empty()) out.push_back({name, std::move(when)});
+  }
+  return out;
+}
+
 bool FleetKeys::was_withdrawn(const std::string& name) const {
   std::error_code failure;
   return fs::exists(authority() / "withdrawn" / fmt::format("{}_1{}", name, kEnding), failure);
@@ -204,7 +215,10 @@ std::expected<void, std::string> FleetKeys::write_list(const fs::path& also) con
     if (!read) return std::unexpected(read.error());
     withdrawn.push_back(std::move(*read));
   }
-  const auto list = make_withdrawal_list(authority_, withdrawn, valid_for_days(kAuthorityDays));
+  // It counts wherever the authority does, also on a machine whose clock is some days behind.
+  Validity validity = valid_for_days(kAuthorityDays);
+  validity.begin = validity_of(authority_.certificate).begin;
+  const auto list = make_withdrawal_list(authority_, withdrawn, validity);
   if (!list) return std::unexpected(list.error());
   if (const auto written = write_private(withdrawn_file(), *list); !written) return written;
   std::error_code failure;

@@ -57,6 +57,12 @@ class FleetKeys {
   std::vector<std::string> names() const;
   /// Of these, those whose folder here lacks files, by name: they can't be used.
   std::vector<std::string> half_made() const;
+  /// Of those that run out within a month, or have: `runs out in 12 days`.
+  struct RunningOut {
+    std::string name;
+    std::string when;
+  };
+  std::vector<RunningOut> running_out() const;
   /// Whether an identity of that name was withdrawn once.
   bool was_withdrawn(const std::string& name) const;
   /// The list of those who were withdrawn, a file to be brought to other machines.

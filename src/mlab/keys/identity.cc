@@ -1,5 +1,7 @@
 #include "mlab/keys/identity.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,11 +41,28 @@ std::unexpected<std::string> wrong(const fs::path& folder, const char* file, con
   return std::unexpected(fmt::format("`{}` {}", text::shown((folder / file).string(), 1000), what));
 }
 
+/// What helps where a certificate has run out; empty where it has not.
+std::string renewal_of(const Files& files) {
+  const auto has_run_out = [](const std::string& one) { return validity_of(one).end <= seconds_now(); };
+  const std::string whole = text::shown(name_in(files.certificate), 200);
+  const std::size_t at = whole.find('@');
+  if (at == std::string::npos) return "";
+  const std::string name = whole.substr(0, at);
+  const std::string fleet = whole.substr(at + 1);
+  if (has_run_out(files.authority))
+    return fmt::format(" by this machine's clock: all keys of the fleet `{}` have to be made anew", fleet);
+  if (!has_run_out(files.certificate)) return "";
+  return fmt::format(
+      " by this machine's clock: where the fleet's keys are, `mlab keys {0} --withdraw {1}` and then `mlab "
+      "keys {0} --add {1}` make another",
+      fleet, name);
+}
+
 std::expected<void, std::string> check_signatures(const fs::path& folder, const Files& files) {
   if (const auto good = check_certificate(files.authority, files.authority); !good)
-    return wrong(folder, kAuthorityFile, good.error());
+    return wrong(folder, kAuthorityFile, good.error() + renewal_of(files));
   if (const auto good = check_certificate(files.certificate, files.authority); !good)
-    return wrong(folder, kCertificateFile, good.error());
+    return wrong(folder, kCertificateFile, good.error() + renewal_of(files));
   if (const auto good = check_key(files.certificate, files.key); !good)
     return wrong(folder, kKeyFile, good.error());
   if (const auto good = check_document(files.governance, files.authority); !good)
@@ -58,12 +77,30 @@ std::expected<void, std::string> check_signatures(const fs::path& folder, const 
 }  // namespace
 
 dds::Security security_in(const fs::path& folder) {
+  const auto certificate = read_file(folder / kCertificateFile);
   return {.authority = (folder / kAuthorityFile).string(),
           .certificate = (folder / kCertificateFile).string(),
           .key = (folder / kKeyFile).string(),
           .governance = (folder / kGovernanceFile).string(),
           .permissions = (folder / kPermissionsFile).string(),
-          .withdrawn = (folder / kWithdrawnFile).string()};
+          .withdrawn = (folder / kWithdrawnFile).string(),
+          .end = certificate ? validity_of(*certificate).end : 0};
+}
+
+bool counts_only_later(const fs::path& folder) {
+  const std::array files = {kAuthorityFile, kCertificateFile};
+  return std::ranges::any_of(files, [&](const char* file) {
+    const auto certificate = read_file(folder / file);
+    return certificate && seconds_now() < validity_of(*certificate).begin;
+  });
+}
+
+std::string running_out(std::int64_t end) {
+  constexpr std::int64_t kSoon = std::int64_t{30} * 86'400;  // [s]
+  const std::int64_t left = end - seconds_now();
+  if (left > kSoon) return "";
+  if (left > 0) return fmt::format("runs out in {}", days_between(seconds_now(), end));
+  return fmt::format("ran out {} ago", days_between(end, seconds_now()));
 }
 
 std::expected<Identity, std::string> check_identity(const fs::path& folder, const std::string& fleet) {
@@ -80,7 +117,7 @@ std::expected<Identity, std::string> check_identity(const fs::path& folder, cons
   const auto is_gone = is_withdrawn(files->withdrawn, files->certificate, files->authority);
   if (!is_gone) return wrong(folder, kWithdrawnFile, is_gone.error());
   if (*is_gone) return wrong(folder, kCertificateFile, "was withdrawn: it takes part no more");
-  return Identity{.name = name, .end = end_of(files->certificate)};
+  return Identity{.name = name, .end = validity_of(files->certificate).end};
 }
 
 bool WithdrawalWatch::has_changed() {

@@ -42,6 +42,15 @@ struct Identity {
 std::expected<Identity, std::string> check_identity(const std::filesystem::path& folder,
                                                     const std::string& fleet);
 
+/// The identity counts at some later time by this machine's clock, which may not be set yet: a machine
+/// without a clock of its own learns the time from the network, some seconds after it was switched on.
+bool counts_only_later(const std::filesystem::path& folder);
+
+/// Of what is good till then: `runs out in 12 days`, `ran out 3 days ago`; empty: it is good for a month at
+/// least.
+/// @param end  [s since 1970]
+std::string running_out(std::int64_t end);
+
 /// Notices that the list of those who were withdrawn is another one. One that the authority has not signed,
 /// or not yet whole, is none.
 class WithdrawalWatch {

@@ -134,6 +134,56 @@ TEST(Certificates, ThatAreOutOfDateSaySinceWhen) {
             "counts only 3 days from now: is this machine's clock right?");
 }
 
+TEST_F(IdentityFolder, CountsWithAListThatIsNewerThanItsMachinesClockSays) {
+  const fs::path north = add("north");
+  add("south");
+  FleetKeys all = keys();
+  ASSERT_TRUE(all.withdraw("south"));
+  const std::string authority = read_file(north / kAuthorityFile).value();
+  const std::string list = read_file(all.withdrawn_file()).value();
+  // As it would be read on a machine whose clock stands where the authority's begins.
+  EXPECT_EQ(list_validity_of(list).begin, validity_of(authority).begin);
+  EXPECT_EQ(problem(north), "");
+}
+
+TEST(Lists, ThatCountOnlyLaterSaySo) {
+  const auto authority = make_authority("authority@alpha", valid_for_days(10));
+  ASSERT_TRUE(authority) << authority.error();
+  Validity later = valid_for_days(10);
+  later.begin += 400'000;
+  const auto list = make_withdrawal_list(*authority, {}, later);
+  ASSERT_TRUE(list) << list.error();
+  EXPECT_EQ(check_list(*list, authority->certificate).error(),
+            "counts only 3 days from now: is this machine's clock right?");
+}
+
+TEST(Identities, ThatRunOutWithinAMonthSaySo) {
+  constexpr std::int64_t kDay = 86'400;  // [s]
+  EXPECT_EQ(running_out(seconds_now() + 31 * kDay), "");
+  EXPECT_EQ(running_out(seconds_now() + 12 * kDay + 60), "runs out in 12 days");
+  EXPECT_EQ(running_out(seconds_now() - 3 * kDay - 60), "ran out 3 days ago");
+}
+
+TEST_F(IdentityFolder, ThatHasRunOutSaysWhatMakesAnother) {
+  const fs::path north = add("north");
+  const auto authority = make_authority("authority@alpha", valid_for_days(10));
+  ASSERT_TRUE(authority) << authority.error();
+  Validity past = valid_for_days(0);
+  past.end -= 100'000;
+  const auto old = make_identity(*authority, "north@alpha", past);
+  ASSERT_TRUE(old) << old.error();
+  ASSERT_TRUE(write_private(north / kAuthorityFile, authority->certificate));
+  ASSERT_TRUE(write_private(north / kCertificateFile, old->certificate));
+  EXPECT_TRUE(complains(problem(north), kCertificateFile, "`mlab keys alpha --withdraw north`"))
+      << problem(north);
+  EXPECT_FALSE(counts_only_later(north));
+  Validity later = valid_for_days(10);
+  later.begin += 400'000;
+  ASSERT_TRUE(write_private(north / kCertificateFile,
+                            make_identity(*authority, "north@alpha", later).value().certificate));
+  EXPECT_TRUE(counts_only_later(north));
+}
+
 TEST(Documents, CountWithEveryByteOfTheirText) {
   const auto authority = make_authority("authority@alpha", valid_for_days(10));
   const auto other = make_authority("authority@alpha", valid_for_days(10));

@@ -11,11 +11,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "mlab/dds/participant.h"
+#include "mlab/keys/certificates.h"
+#include "mlab/keys/documents.h"
 #include "mlab/keys/fleet_keys.h"
 #include "mlab/keys/identity.h"
 #include "mlab/keys/private_files.h"
@@ -226,6 +230,43 @@ TEST_F(SecuredParticipant, IsRefusedTopicsThatItHasNoPermissionFor) {
   auto lost = dds::Participant::open(other);
   ASSERT_TRUE(lost) << lost.error();
   EXPECT_FALSE(lost->writer("agents", ChannelKind::kPresence)) << "the partition of another fleet";
+}
+
+/// An identity that runs out in some seconds: that of a folder, made anew by an authority of its own.
+void let_run_out(const fs::path& folder, const std::string& fleet, std::int64_t seconds) {
+  const KeyPair authority = make_authority("authority@" + fleet, valid_for_days(10)).value();
+  Validity validity = valid_for_days(0);
+  validity.end += seconds;
+  const KeyPair own = make_identity(authority, certified_name("north", fleet), validity).value();
+  const std::string allowed = permissions(subject_in(own.certificate), fleet, validity);
+  const std::pair<const char*, std::string> files[] = {
+      {kAuthorityFile, authority.certificate},
+      {kCertificateFile, own.certificate},
+      {kKeyFile, own.key},
+      {kGovernanceFile, sign_document(authority, governance()).value()},
+      {kPermissionsFile, sign_document(authority, allowed).value()},
+      {kWithdrawnFile, make_withdrawal_list(authority, {}, valid_for_days(10)).value()}};
+  for (const auto& [name, text] : files) ASSERT_TRUE(write_private(folder / name, text));
+}
+
+TEST_F(SecuredParticipant, BeginsNothingOnceItsIdentityHasRunOut) {
+  const fs::path north = keys().add("north").value();
+  const dds::Participant good = participant(north);
+  ASSERT_NO_FATAL_FAILURE(let_run_out(north, fleet_, 10));
+  dds::Participant late = participant(north);
+  EXPECT_FALSE(late.has_run_out());
+  dds::Writer before = late.writer("agents", ChannelKind::kPresence).value();
+  const auto last = std::chrono::steady_clock::now() + kPatience;
+  while (!late.has_run_out() && std::chrono::steady_clock::now() < last) std::this_thread::sleep_for(100ms);
+  ASSERT_TRUE(late.has_run_out());
+  std::this_thread::sleep_for(4s);  // Cyclone has cut it off
+  EXPECT_FALSE(good.has_run_out());
+  const dds::Waiter waiter = dds::Waiter::make().value();
+  for (const std::string& problem : {late.writer("life", ChannelKind::kPresence).error(),
+                                     late.reader("life", ChannelKind::kPresence, waiter).error()})
+    EXPECT_TRUE(problem.contains("has run out")) << problem;
+  // What it had goes on in vain, and ends in order.
+  EXPECT_NE(before.write("north", "anybody"), dds::Written::kFull);
 }
 
 TEST_F(SecuredParticipant, IsRefusedWithASentenceThatNamesTheFile) {

@@ -23,11 +23,13 @@
 #include "mlab/cli/commands.h"
 #include "mlab/cli/fleet_network.h"
 #include "mlab/cli/fleet_stop.h"
+#include "mlab/cli/fleet_unheard.h"
 #include "mlab/cli/fleet_words.h"
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/output.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/keys/identity.h"
+#include "mlab/text/age.h"
 
 namespace mlab::cli {
 namespace {
@@ -50,9 +52,9 @@ std::string state_of(const Member& member) {
       if (!member.said.not_kept().empty()) return "STOPPED, not kept";
       return member.said.stop().is_engaged() ? "STOPPED" : "there";
     case Member::State::kSilent:
-      return "silent for " + age(seconds_since(member.heard));
+      return "silent for " + text::age(seconds_since(member.heard));
     case Member::State::kGone:
-      return "gone for " + age(seconds_since(member.since));
+      return "gone for " + text::age(seconds_since(member.since));
   }
   return "";
 }
@@ -78,7 +80,14 @@ std::string clock_of(const std::optional<agents::LinkQuality>& link) {
   const double offset = link->clock_offset;
   if (!agents::is_clock_known(*link)) return "the same";
   if (std::abs(offset) < 1.0) return fmt::format("{:+.1f} ms", offset * 1000.0);
-  return fmt::format("{}{}", offset < 0.0 ? "-" : "+", age(std::abs(offset)));
+  return fmt::format("{}{}", offset < 0.0 ? "-" : "+", text::age(std::abs(offset)));
+}
+
+// Of whom nothing is heard, though somebody knows of him.
+std::string table_of(const std::vector<UnheardAgent>& unheard) {
+  std::string out;
+  for (const std::string& words : about_unheard(unheard)) out += "warning: " + words + "\n";
+  return out;
 }
 
 std::string table_of(const std::string& fleet, const std::vector<Member>& members,
@@ -94,13 +103,14 @@ std::string table_of(const std::string& fleet, const std::vector<Member>& member
                        one.said.name(), one.said.host(), colored(state, color_of(one)), link_of(link),
                        clock_of(link), one.said.robots(), one.said.runs(),
                        fmt::format("{:.1f} of {}", one.said.load(), one.said.processors()),
-                       fmt::format("{} MB", one.said.free_memory() >> 20), age(one.said.uptime()),
+                       fmt::format("{} MB", one.said.free_memory() >> 20), text::age(one.said.uptime()),
                        one.said.version() +
                            (one.said.has_offered()   ? fmt::format(", `{}` only", one.said.offered().name())
                             : one.said.has_vehicle() ? fmt::format(", vehicle: {}", one.said.vehicle().kind())
                                                      : ""));
   }
   if (const std::string words = about_doubles(members); !words.empty()) out += "warning: " + words + "\n";
+  if (const std::string words = about_versions(members); !words.empty()) out += "warning: " + words + "\n";
   return out;
 }
 
@@ -110,8 +120,19 @@ nlohmann::json json_of(const std::optional<agents::LinkQuality>& link) {
       {"round_trip_s", link->round_trip}, {"clock_offset_s", link->clock_offset}, {"lost_share", link->lost}};
 }
 
+nlohmann::json json_of(const std::vector<UnheardAgent>& unheard) {
+  nlohmann::json out = nlohmann::json::array();
+  for (const UnheardAgent& one : unheard)
+    out.push_back({{"name", one.name},
+                   {"machine", one.machine},
+                   {"heard_s_ago", one.silent},
+                   {"known_by", one.by.empty() ? nlohmann::json() : nlohmann::json(one.by)},
+                   {"process", one.process > 0 ? nlohmann::json(one.process) : nlohmann::json()}});
+  return out;
+}
+
 std::string json_of(const std::string& fleet, const std::vector<Member>& members,
-                    const agents::EchoProbe& links) {
+                    const agents::EchoProbe& links, const std::vector<UnheardAgent>& unheard) {
   nlohmann::json agents = nlohmann::json::array();
   for (const Member& one : members) {
     constexpr const char* kStates[] = {"there", "silent", "gone"};
@@ -134,7 +155,7 @@ std::string json_of(const std::string& fleet, const std::vector<Member>& members
          {"executable", one.said.has_offered() ? nlohmann::json(one.said.offered().name()) : nullptr},
          {"vehicle", one.said.has_vehicle() ? nlohmann::json(one.said.vehicle().kind()) : nullptr}});
   }
-  return nlohmann::json{{"fleet", fleet}, {"agents", agents}}.dump(2) + "\n";
+  return nlohmann::json{{"fleet", fleet}, {"agents", agents}, {"unheard", json_of(unheard)}}.dump(2) + "\n";
 }
 
 constexpr std::chrono::seconds kStopPatience(6);  // for agents to say that they have stopped
@@ -155,8 +176,17 @@ std::string listed(const std::vector<agents::StopSwitch::Unreached>& agents) {
   return out;
 }
 
+// Those of this machine that hang, and whom nobody on the network knows.
+void add_hanging(std::vector<agents::StopSwitch::Unreached>& out, UnheardAgents& unheard) {
+  for (UnheardAgent& one : unheard.look()) {
+    if (one.process > 0 && std::ranges::count(out, one.name, &agents::StopSwitch::Unreached::name) == 0)
+      out.push_back({std::move(one.name), one.silent, "", std::move(one.machine)});
+  }
+}
+
 // Says it until all have heard. Who has not been found when this begins hears it as soon as he is.
-int switch_stop(const FleetOptions& options, const agents::Roster& roster, agents::StopSwitch& stop) {
+int switch_stop(const FleetOptions& options, const agents::Roster& roster, agents::StopSwitch& stop,
+                UnheardAgents& unheard) {
   if (options.stop) stop.engage(stopping_person());
   wait_for_agents(roster);
   const Clock::time_point first = Clock::now() + kAllFound;
@@ -172,8 +202,11 @@ int switch_stop(const FleetOptions& options, const agents::Roster& roster, agent
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   const std::string& fleet = roster.fleet();
-  const auto unreached = stop.unreached();
-  const std::size_t count = std::max(stop.agent_count(), unreached.size());  // which others may add to
+  auto unreached = stop.unreached();
+  std::size_t count = std::max(stop.agent_count(), unreached.size());  // which others may add to
+  const std::size_t reachable = unreached.size();
+  add_hanging(unreached, unheard);
+  count += unreached.size() - reachable;
   if (count == 0) {
     fmt::print(stderr, "mlab fleet: nobody is there in the fleet `{}`{}\n", fleet,
                who_is_not_seen(options.network));
@@ -233,6 +266,7 @@ int show_log(const std::shared_ptr<agents::Roster>& roster, const std::string& a
 struct View {
   std::shared_ptr<agents::Roster> roster;
   std::unique_ptr<agents::EchoProbe> links;
+  std::unique_ptr<UnheardAgents> unheard;
 };
 
 std::expected<std::shared_ptr<agents::Roster>, std::string> join(const FleetOptions& options) {
@@ -243,19 +277,33 @@ std::expected<std::shared_ptr<agents::Roster>, std::string> join(const FleetOpti
 
 // With those who are there, and the links to them.
 std::expected<View, std::string> look(const FleetOptions& options) {
-  auto roster = join(options);
+  const auto network = network_of(options.network);
+  if (!network) return std::unexpected(network.error());
+  auto roster = agents::Roster::join(*network);
   if (!roster) return std::unexpected(roster.error());
   auto links = agents::EchoProbe::open(*roster);
   if (!links) return std::unexpected(links.error());
+  auto unheard = UnheardAgents::open(*roster, *network);
+  if (!unheard) return std::unexpected(unheard.error());
   wait_for_agents(**roster);
   // Who has been found first is hardly alone.
   for (int i = 0; i < kFirstEchoes && !was_interrupted(); ++i) (*links)->measure(kOthers / kFirstEchoes);
-  return View{std::move(*roster), std::move(*links)};
+  return View{std::move(*roster), std::move(*links), std::move(*unheard)};
 }
 
 int tell_problem(const std::string& problem) {
   fmt::print(stderr, "mlab fleet: {}\n", problem);
   return kBadInput;
+}
+
+int switch_stop(const FleetOptions& options, const std::shared_ptr<agents::Roster>& roster) {
+  const auto network = network_of(options.network);
+  if (!network) return tell_problem(network.error());
+  const auto stop = agents::StopSwitch::open(roster);
+  if (!stop) return tell_problem(stop.error());
+  const auto unheard = UnheardAgents::open(roster, *network);
+  if (!unheard) return tell_problem(unheard.error());
+  return switch_stop(options, *roster, **stop, **unheard);
 }
 
 }  // namespace
@@ -269,8 +317,7 @@ int show_fleet(const FleetOptions& options) {
   if (is_about_stop) {
     const auto roster = join(options);
     if (!roster) return tell_problem(roster.error());
-    const auto stop = agents::StopSwitch::open(*roster);
-    return watchdog.expect_end(stop ? switch_stop(options, **roster, **stop) : tell_problem(stop.error()));
+    return watchdog.expect_end(switch_stop(options, *roster));
   }
   if (!options.log.empty()) {
     const auto roster = join(options);
@@ -283,13 +330,15 @@ int show_fleet(const FleetOptions& options) {
     if (!view) return tell_problem(view.error());
     const std::vector<Member> members = view->roster->members();
     const std::string& fleet = view->roster->fleet();
-    const std::string text = options.json ? json_of(fleet, members, *view->links)
-                                          : table_of(fleet, members, *view->links, options.network);
+    const std::vector<UnheardAgent> unheard = view->unheard->look();
+    const std::string text =
+        options.json ? json_of(fleet, members, *view->links, unheard)
+                     : table_of(fleet, members, *view->links, options.network) + table_of(unheard);
     const bool is_read = write_output_now(is_live ? "\x1b[H\x1b[2J" + text : text);
     if (!is_live || !is_read || was_interrupted()) return watchdog.expect_end(kDone);
     view->links->measure(kBetweenLooks);
-    if (!withdrawals.has_changed()) continue;
-    view = View{};  // who was withdrawn hears nothing from here on
+    if (!withdrawals.has_changed() && !view->roster->participant().has_run_out()) continue;
+    view = View{};  // who was withdrawn hears nothing from here on, and who has run out is refused
     view = look(options);
   }
 }

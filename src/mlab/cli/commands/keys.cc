@@ -51,6 +51,12 @@ int show(const keys::FleetKeys& keys, const std::string& fleet, const std::strin
                "mlab keys: the identity `{1}` is half made, and can't be used: `mlab keys {0} --add {1}` "
                "makes it anew\n",
                fleet, one);
+  for (const keys::FleetKeys::RunningOut& one : keys.running_out())
+    fmt::print(
+        stderr,
+        "mlab keys: the identity `{1}` {2}: `mlab keys {0} --withdraw {1}` and then `mlab keys {0} --add "
+        "{1}` make another\n",
+        fleet, one.name, one.when);
   return broken.empty() ? kDone : kFailed;
 }
 

@@ -190,6 +190,15 @@ class SharedStop {
   std::vector<std::string> told_;
 };
 
+// Where it can't be kept any more somebody has to know now, and not when the run has ended.
+void keep(const Prepared& prepared, run::MissionRun::Progress progress, RunScreen& screen) {
+  if (!prepared.recording) return;
+  prepared.recording->note(progress);
+  if (const std::string problem = prepared.recording->take_problem(); !problem.empty())
+    screen.line(fmt::format("[{:9.1f} s] {}the run goes on, and is not recorded any more: {}",
+                            prepared.run->time(), colored("alert: ", Color::kBad), problem));
+}
+
 /// Returns when the next cycle of a run is due.
 void wait_for_cycle(run::Pace& pace, const run::MissionRun& run) {
   const double now = steady_seconds();
@@ -228,7 +237,7 @@ run::RunEnd carry_out(Prepared& prepared, const RunOptions& options, RunScreen& 
     }
     stop.follow();
     const run::MissionRun::Progress progress = run.step();
-    if (prepared.recording) prepared.recording->note(progress);
+    keep(prepared, progress, screen);
     if (run.is_stopped()) {
       if (progress == run::MissionRun::Progress::kWaits) {
         pass_time(0.05);

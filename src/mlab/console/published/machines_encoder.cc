@@ -11,17 +11,23 @@ namespace {
 
 constexpr double kApart = 1.0;  // two looks [s]
 
-using RobotsByMachine = std::map<std::string, std::vector<std::uint32_t>>;
+struct Carried {
+  std::vector<std::uint32_t> robots;
+  std::vector<std::uint32_t> lost;  // by who had the machine's name before
+};
+using RobotsByMachine = std::map<std::string, Carried>;
 
 RobotsByMachine robots_by_machine(const run::MissionRun& run) {
   RobotsByMachine out;
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     if (robot.runner == nullptr) continue;
-    if (std::string name = robot.runner->machine(robot.member); !name.empty())
-      out[std::move(name)].push_back(robot.id.value);
+    if (const std::string name = robot.runner->machine(robot.member); !name.empty()) {
+      Carried& there = out[name];
+      (robot.runner->has_lost(robot.member) ? there.lost : there.robots).push_back(robot.id.value);
+    }
     // Its body may be elsewhere than its program.
     if (robot.program != nullptr && robot.program->is_of_vehicle)
-      out[robot.program->vehicle()].push_back(robot.id.value);
+      out[robot.program->vehicle()].robots.push_back(robot.id.value);
   }
   return out;
 }
@@ -71,7 +77,10 @@ std::uint64_t MachineBoard::look(double wall, const run::MissionRun* run) {
     encode(one, machine);
     const auto at = robots.find(one.name);
     if (at == robots.end()) continue;
-    for (const std::uint32_t robot : at->second) machine.add_robots(robot);
+    for (const std::uint32_t robot : at->second.robots) machine.add_robots(robot);
+    // One that is there again, or anew, has nothing of them; one that is gone had them last.
+    if (one.state == WatchedMachine::State::kThere) continue;
+    for (const std::uint32_t robot : at->second.lost) machine.add_robots(robot);
   }
   std::string bytes = told.SerializeAsString();
   if (bytes == told_bytes_) return revision_;

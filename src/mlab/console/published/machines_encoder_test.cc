@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "mlab/console/testing/browser.h"
+#include "mlab/console/testing/run_of.h"
+#include "mlab/history/testing/losing_runner.h"
 
 namespace mlab::console {
 namespace {
@@ -78,6 +80,32 @@ TEST(MachineBoard, TellsAllThatIsKnownOfAMachineInTextThatIsFitForPeople) {
   EXPECT_EQ(first.free_memory(), 1U << 30U);
   EXPECT_FALSE(told.machines(1).has_link());
   EXPECT_EQ(told.machines(1).vehicle(), "rover");
+}
+
+TEST(MachineBoard, WhoIsThereAnewCarriesNoneOfTheRobotsThatWereLostWithWhoWasThereBefore) {
+  // The two that travel are lost in their first cycle, the two that were never started are not.
+  const auto run = testing::run_of(testing::kTravel, 1, [](run::RunSettings& settings) {
+    settings.robots_elsewhere = [](std::uint64_t, double) {
+      return std::make_unique<history::testing::LosingRunner>(
+          1, history::testing::LosingRunner::Odds{.start = 0, .cycle = 1, .most = 2});
+    };
+  });
+  ASSERT_NE(run, nullptr);
+  const auto known = std::make_shared<Known>();
+  known->machines = {north()};
+  known->machines[0].name = "south";
+  MachineBoard board(known);
+  const auto carried = [&](double wall) {
+    board.look(wall, run.get());
+    return board.told().machines(0).robots_size();
+  };
+  EXPECT_EQ(carried(1.0), 4);
+  run->post(mission::event::Execute{});
+  testing::step(*run, 3);
+  known->machines[0].state = WatchedMachine::State::kGone;
+  EXPECT_EQ(carried(3.0), 4) << "it had them last";
+  known->machines[0].state = WatchedMachine::State::kThere;
+  EXPECT_EQ(carried(5.0), 2);
 }
 
 TEST(MachineBoard, WhoComesToTheConsoleIsToldOfTheFleetAndOfNoneWhereThereIsNone) {

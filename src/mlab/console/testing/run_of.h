@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -12,7 +14,9 @@
 namespace mlab::console::testing {
 
 /// A run of a mission that is given as text.
-inline std::unique_ptr<run::MissionRun> run_of(const std::string& text, std::uint64_t seed = 1) {
+inline std::unique_ptr<run::MissionRun> run_of(
+    const std::string& text, std::uint64_t seed = 1,
+    const std::function<void(run::RunSettings&)>& set = [](run::RunSettings& /*settings*/) {}) {
   text::Diagnostics sink;
   const auto source = std::make_shared<const text::Source>("test.mdl", text);
   const auto mission = mdl::check_mission(source, "", sink);
@@ -20,6 +24,7 @@ inline std::unique_ptr<run::MissionRun> run_of(const std::string& text, std::uin
   if (!mission) return nullptr;
   run::RunSettings settings;
   settings.seed = seed;
+  set(settings);
   auto run = simulated::make_run(mission, {}, settings, sink);
   EXPECT_NE(run, nullptr) << text::render(sink);
   return run;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +30,7 @@ class LosingRunner final : public robot::ProgramRunner {
   void remove(Member member) override { own_.remove(member); }
   std::optional<std::string> start(Member member) override {
     if (odds_.start != 0 && random_() % odds_.start == 0) return "has no agent: nobody is there";
+    lost_members_.erase(member);
     return own_.start(member);
   }
   std::optional<std::string> set(Member member, std::string_view port, const std::string& value) override {
@@ -57,11 +59,14 @@ class LosingRunner final : public robot::ProgramRunner {
         continue;
       }
       ++lost_;
+      lost_members_.insert(turn.member);
       *turn.action = {};
       turn.fault->clear();
       *turn.failure = "can't be reached: the agent on `south` was silent for 5 s";
     }
   }
+  std::string machine(Member /*member*/) const override { return "south"; }
+  bool has_lost(Member member) const override { return lost_members_.contains(member); }
   robot::Workings workings(Member member) const override { return own_.workings(member); }
   robot::RobotValues* values(Member member) override { return own_.values(member); }
   flow::Frame save(Member member) const override { return own_.save(member); }
@@ -74,6 +79,7 @@ class LosingRunner final : public robot::ProgramRunner {
   std::mt19937 random_;
   const Odds odds_;
   int lost_ = 0;
+  std::set<Member> lost_members_;
 };
 
 }  // namespace mlab::history::testing

@@ -148,6 +148,8 @@ class ProgramRunner {
 
   /// The machine that carries the robot; empty: this one.
   virtual std::string machine(Member /*member*/) const { return ""; }
+  /// That machine carries it no more: it has left, was started anew, or was silent for too long.
+  virtual bool has_lost(Member /*member*/) const { return false; }
   /// What was said there, as far as it is kept. Between two cycles.
   /// @errors  a sentence: the machine can't be asked
   virtual std::expected<Said, std::string> said(Member /*member*/) { return Said{}; }

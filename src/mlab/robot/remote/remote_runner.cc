@@ -247,6 +247,10 @@ std::string RemoteRunner::machine(Member member) const {
   return carrier != nullptr ? carrier->agent->name() : std::string();
 }
 
+bool RemoteRunner::has_lost(Member member) const {
+  return members_[member].carrier != nullptr && !is_carried(members_[member]);
+}
+
 std::expected<robot::Said, std::string> RemoteRunner::said(Member member) {
   const Robot& robot = members_[member];
   if (robot.carrier == nullptr) return robot::Said{};

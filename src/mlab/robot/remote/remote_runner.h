@@ -50,6 +50,7 @@ class RemoteRunner : public robot::ProgramRunner {
   void ask() override;
   void wait(const robot::Meanwhile& meanwhile) override;
   std::string machine(Member member) const override;
+  bool has_lost(Member member) const override;
   std::expected<robot::Said, std::string> said(Member member) override;
   std::vector<robot::SilentMachine> silent_machines() const override;
   robot::Workings workings(Member member) const override;
