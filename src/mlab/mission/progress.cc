@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/mission/dispatch.h"
 #include "mlab/mission/known_map.h"
 #include "mlab/mission/phase_line.h"
 #include "mlab/mission/question.h"
@@ -318,6 +319,7 @@ void take_cycle(Turn& turn, const event::Cycle& cycle) {
   if (!silent.empty()) warn_of_silent_robots(turn, silent);
   if (s.paused || s.mode != State::Mode::kRunning) return;
   const auto failed = failed_starts(s, cycle.robots);
+  for (Run& run : s.runs) take_in(turn, run);
   for (Run& run : s.runs) {
     if (run.phase == Run::Phase::kRobots) steer_parts(turn, run);
   }

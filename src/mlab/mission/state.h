@@ -159,6 +159,7 @@ struct Run {
   CommandRef command;
   Phase phase = Phase::kHeld;
   std::vector<base::RobotId> needed;  ///< whom it is for, without those that orders took, in rank order
+  std::vector<base::RobotId> left_out;  ///< who did not run as it began: they take part once they run again
   std::optional<double> ends;         ///< it is done at this run time (UNTIL behind others than OCCUPY) [s]
   std::uint32_t missing = 0;          ///< how many of `needed` are not done
   double stalled = 0.0;               ///< time without progress [s]
