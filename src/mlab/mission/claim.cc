@@ -155,7 +155,7 @@ bool claim(Turn& turn, Run& run) {
   for (const base::RobotId id : run.needed) {
     RobotState& robot = *find_robot(s, id);
     robot.run = index_of(s, run);
-    robot.done = robot.warned = false;
+    robot.done = robot.warned = robot.has_given_up = false;
     robot.remaining = robot.best = std::numeric_limits<double>::infinity();
   }
   warn_of_twice(turn, run, twice);

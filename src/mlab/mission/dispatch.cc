@@ -199,7 +199,7 @@ void take_in(Turn& turn, Run& run) {
     RobotState& robot = *find_robot(s, id);
     order_too(turn, run, robot);
     robot.run = index_of(s, run);
-    robot.done = robot.warned = false;
+    robot.done = robot.warned = robot.has_given_up = false;
     robot.remaining = robot.best = std::numeric_limits<double>::infinity();
     run.needed.push_back(id);
     ++run.missing;
@@ -220,7 +220,7 @@ std::uint32_t give_order(Turn& turn, Group group) {
     RobotState& robot = *find_robot(s, id);
     leave_order(turn, robot);
     robot.sequence = group.sequence;
-    robot.done = false;
+    robot.done = robot.has_given_up = false;
     robot.remaining = robot.best = std::numeric_limits<double>::infinity();
   }
   emit(turn, order_of(group));

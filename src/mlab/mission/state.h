@@ -39,7 +39,8 @@ enum class Failure : std::uint8_t {
   kNotStarted,  ///< robots that were to start do not run
   kNoProgress,  ///< nobody came nearer to being done for too long
   kRobotsLost,  ///< likewise, and some of those that it waited for do not run
-  kNobodyLeft   ///< none of its robots runs
+  kNobodyLeft,  ///< none of its robots runs
+  kNoWay        ///< no way leads those there that are not done
 };
 /// `no progress`, ...; empty for none
 std::string_view name(Failure failure);
@@ -92,6 +93,7 @@ struct RobotState {
   bool is_running = false;  ///< as it last reported
   bool done = false;        ///< with what `run` waits for; retracted only where a RALLY's robot leaves again
   bool warned = false;      ///< that it doesn't run, once per command
+  bool has_given_up = false;  ///< it came nearer once, and has said last that it can do so no more
   std::uint32_t sequence = 0;  ///< of its order; 0: none
   std::uint32_t reported = 0;  ///< the sequence that it last spoke of
   std::uint32_t run = kNoRun;  ///< index into State::runs: who waits for it
