@@ -362,10 +362,23 @@ std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geo
   return passed;
 }
 
+namespace {
+
+// Whether nobody can be where a way ends, on other ground than it was planned on.
+bool is_end_taken(const percept::KnownGround& ground, const PlannedWay& way) {
+  return way.count > 0 && std::ranges::any_of(ground.discs, [&](const ways::Round& disc) {
+           return distance(disc.center, way.points().back()) < disc.radius;
+         });
+}
+
+}  // namespace
+
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const PlannedWay& way,
               geom::Point from, double stray, bool is_body, double& off) {
   off = std::numeric_limits<double>::infinity();
-  if (!is_same_ground && (way.end == WayEnd::kClosedOff || !is_open(ground, way))) return false;
+  if (!is_same_ground &&
+      (way.end == WayEnd::kClosedOff || !is_open(ground, way) || is_end_taken(ground, way)))
+    return false;
   const double length = way_length(way);
   const double at = nearest_on(way, from, 0.0, length);
   const double away = distance(point_on(way, at), from);

@@ -248,6 +248,16 @@ TEST(LeadsOn, SaysHowFarOffTheWayOneIs) {
   EXPECT_EQ(off(), std::numeric_limits<double>::infinity()) << "where its end is near it is to be planned on";
 }
 
+TEST(LeadsOn, NotToAPlaceThatSomethingNewStandsAt) {
+  Known known = with_disc();
+  const auto way = plan_way(known.ground(), {10.0, 20.0}, {150.0, 20.0}, 0.2, 5.0);
+  known.revision = next_revision();
+  double off = 0.0;
+  EXPECT_TRUE(leads_on(known.ground(), false, way, {10.0, 20.0}, 5.0, true, off));
+  known.discs.push_back({{153.0, 20.0}, 6.0});
+  EXPECT_FALSE(leads_on(known.ground(), false, way, {10.0, 20.0}, 5.0, true, off));
+}
+
 // Whether it is known how long a way is makes no difference, to the last bit.
 TEST(WayProgress, IsTheSameWhereTheLengthIsKnown) {
   const auto way = way_along({{3.0, -2.0}, {71.3, 40.9}});
