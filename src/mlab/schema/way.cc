@@ -131,6 +131,13 @@ PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& wa
   return out;
 }
 
+// Where somebody is as near to a goal as who can't stand there may be, about.
+bool is_beside(const ways::Clearing& tight, geom::Point place, geom::Point goal) {
+  constexpr double kOnTheOtherSide = 20.0;  // of what stands there [m]
+  const auto nearest = tight.nearest_free(goal);
+  return nearest && distance(place, goal) <= 2.0 * distance(*nearest, goal) + kOnTheOtherSide;
+}
+
 // Where no way leads to the goal: to the nearest place to it that one leads to.
 std::optional<PlannedWay> way_near(Site& tight, geom::Point from, geom::Point begin, geom::Point goal) {
   constexpr std::size_t kMostPlaces = 24;
@@ -143,8 +150,8 @@ std::optional<PlannedWay> way_near(Site& tight, geom::Point from, geom::Point be
     auto back = tight.planner.find(place, begin, kEffortOfAll - spent);
     if (!back) continue;
     std::ranges::reverse(back->corners);
-    return put_together(tight, from, *back, goal,
-                        tight.clearing().is_free(goal) ? WayEnd::kClosedOff : WayEnd::kBesideGoal);
+    const bool is_there = !tight.clearing().is_free(goal) && is_beside(tight.clearing(), place, goal);
+    return put_together(tight, from, *back, goal, is_there ? WayEnd::kBesideGoal : WayEnd::kClosedOff);
   }
   return std::nullopt;
 }

@@ -72,6 +72,20 @@ TEST(PlanWay, EndsBesideAGoalThatSomethingStandsOn) {
   EXPECT_NEAR(distance(way.points().back(), {34.8, 50.0}), 0.0, 1e-3);
 }
 
+TEST(PlanWay, IsClosedOffFromAGoalInAWallOfAClosedRoom) {
+  Known known;
+  known.walls = {{{60.0, 50.0}, {140.0, 50.0}},
+                 {{140.0, 50.0}, {140.0, 150.0}},
+                 {{140.0, 150.0}, {60.0, 150.0}},
+                 {{60.0, 150.0}, {60.0, 50.0}},
+                 {{100.0, 90.0}, {100.0, 110.0}}};
+  known.revision = next_revision();
+  const auto in_the_middle = plan_way(known.ground(), {20.0, 100.0}, {100.0, 100.0}, 0.2, 5.0);
+  EXPECT_EQ(in_the_middle.end, WayEnd::kClosedOff) << "what is free beside it is as closed off";
+  const auto at_the_side = plan_way(known.ground(), {20.0, 100.0}, {60.1, 100.0}, 0.2, 5.0);
+  EXPECT_EQ(at_the_side.end, WayEnd::kBesideGoal) << "the other side of the wall";
+}
+
 TEST(PlanWay, EndsAtAGoalNearSomething) {
   const Known known = with_disc();
   const auto way = plan_way(known.ground(), {20.0, 50.0}, {38.0, 50.0}, 0.2, 5.0);
