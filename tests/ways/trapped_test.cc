@@ -327,8 +327,8 @@ TEST_F(Trapped, WhatNoWayLeadsToFailsSoon) {
       told_.clear();
       carry_out(kPlain + "PP G 230 150\nAXIS Road 100 150 230 150\n" + closed +
                     " 200 120 260 120 260 180 200 180 200 120\n",
-                std::string("UNIT <t> r r r\nCOMMAND LIST:\n0. UNIT t START 40 150 0 5\n1. UNIT t ") + command +
-                    "\n",
+                std::string("UNIT <t> r r r\nCOMMAND LIST:\n0. UNIT t START 40 150 0 5\n1. UNIT t ") +
+                    command + "\n",
                 "", 600.0);
       EXPECT_FALSE(is_done()) << command << "\n" << told_;
       EXPECT_LT(run_->time(), 200.0) << command << "\n" << told_;

@@ -15,8 +15,8 @@ const TeamGround& Fleet::ground_of(const FleetRobot& robot) const {
   return own == now_.grounds.end() ? *now_.map : *own->second;
 }
 
-// What doesn't run, and isn't driven by a failsafe, moves no more until somebody starts it again. Small bodies
-// are passed by those who see them, and nothing is planned for them.
+// What doesn't run, and isn't driven by a failsafe, moves no more until somebody starts it again. Small
+// bodies are passed by those who see them, and nothing is planned for them.
 bool Fleet::is_wreck(const FleetRobot& robot) const {
   return robot.life != RobotLife::kRunning && robot.life != RobotLife::kNotStarted &&
          robot.capabilities.radius >= TeamGround::kSmallest &&

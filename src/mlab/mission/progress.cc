@@ -42,8 +42,8 @@ void mark_done_for_all(State& state, std::uint32_t run) {
 // That no way leads farther, whoever has come nearer before.
 void take_giving_up(Run& run, RobotState& robot, const RobotReport& report) {
   const bool had_given_up = robot.has_given_up;
-  robot.has_given_up = std::isinf(report.remaining) && report.remaining > 0.0 &&
-                       (had_given_up || std::isfinite(robot.best));
+  robot.has_given_up =
+      std::isinf(report.remaining) && report.remaining > 0.0 && (had_given_up || std::isfinite(robot.best));
   if (had_given_up && !robot.has_given_up) run.stalled = 0.0;
 }
 

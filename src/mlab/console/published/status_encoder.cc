@@ -82,8 +82,7 @@ void encode_parts(const run::MissionRun& run, const mission::Run& command, std::
     percept::Needs needs;
     if (goes_round && robot->program->number("plans_ways").value_or(0.0) != 0.0)
       needs.want(percept::Sensor::kGround);
-    const percept::Percepts percepts =
-        run.fleet().perceive_at(*robot, run.fleet().pose(*robot), needs, 0.0);
+    const percept::Percepts percepts = run.fleet().perceive_at(*robot, run.fleet().pose(*robot), needs, 0.0);
     if (goes_round) {
       encode_round(*robot, percepts, room, out);
       return;
