@@ -126,7 +126,7 @@ PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& wa
   if (end != WayEnd::kGoal) return out;
   if (tight.clearing().is_free(goal))
     add(out, goal);
-  else
+  else if (out.end != WayEnd::kFull)
     out.end = WayEnd::kBesideGoal;
   return out;
 }

@@ -86,6 +86,17 @@ TEST(PlanWay, IsClosedOffFromAGoalInAWallOfAClosedRoom) {
   EXPECT_EQ(at_the_side.end, WayEnd::kBesideGoal) << "the other side of the wall";
 }
 
+TEST(PlanWay, GoesOnWhereItIsTooLongToBeToldAlsoToAGoalThatSomethingStandsOn) {
+  Known known;
+  for (int i = 1; i < 48; ++i)
+    known.walls.push_back({{4.0 * i, i % 2 == 0 ? 3.0 : 0.0}, {4.0 * i, i % 2 == 0 ? 200.0 : 197.0}});
+  known.revision = next_revision();
+  for (const Point goal : {Point{190.0, 100.0}, Point{188.1, 100.0}}) {
+    const auto way = plan_way(known.ground(), {2.0, 100.0}, goal, 0.2, 0.1);
+    EXPECT_EQ(way.end, WayEnd::kFull);
+  }
+}
+
 TEST(PlanWay, EndsAtAGoalNearSomething) {
   const Known known = with_disc();
   const auto way = plan_way(known.ground(), {20.0, 50.0}, {38.0, 50.0}, 0.2, 5.0);
