@@ -306,6 +306,40 @@ TEST_F(Trapped, WhoIsClosedInSaysSo) {
   EXPECT_NE(told_.find("robot 2: Way: no way to"), std::string::npos) << told_;
 }
 
+TEST_F(Trapped, AWideWreckIsGoneRoundAsAnObstacleIs) {
+  for (const char* command : {"FOLLOW AXIS-Road Column", "VISIT PP-C PP-G", "MOVETO PP-C Line"}) {
+    contacts_ = 0;
+    told_.clear();
+    carry_out(kPlain + "AXIS Road 60 50 150 50 150 150 250 150\nPP C 150 50\nPP G 250 150\n",
+              std::string("NEW-ROBOT wreck \"./nothing\" blue \"\" (robot_radius = 6)\n"
+                          "UNIT <t> r r r\nUNIT <w> wreck\nCOMMAND LIST:\n"
+                          "0. UNIT t START 40 50 0 5 AND UNIT w START PP-C\n1. UNIT t ") +
+                  command + "\n");
+    EXPECT_TRUE(is_done()) << command << "\n" << told_;
+    EXPECT_LT(run_->time(), 120.0) << command << "\n" << told_;
+    EXPECT_EQ(contacts_, 0U) << command;
+  }
+}
+
+TEST_F(Trapped, WhatNoWayLeadsToFailsSoon) {
+  for (const char* command : {"MOVETO PP-G Column", "RALLY PP-G", "OCCUPY PP-G Line", "FOLLOW AXIS-Road"}) {
+    for (const char* closed : {"MINEFIELD m", "WALL w"}) {
+      told_.clear();
+      carry_out(kPlain + "PP G 230 150\nAXIS Road 100 150 230 150\n" + closed +
+                    " 200 120 260 120 260 180 200 180 200 120\n",
+                std::string("UNIT <t> r r r\nCOMMAND LIST:\n0. UNIT t START 40 150 0 5\n1. UNIT t ") +
+                    command + "\n",
+                "", 600.0);
+      EXPECT_FALSE(is_done()) << command << "\n" << told_;
+      EXPECT_LT(run_->time(), 200.0) << command << "\n" << told_;
+      EXPECT_NE(told_.find("failed: no way leads there, and none was opened for 60 s"), std::string::npos)
+          << command << "\n"
+          << told_;
+      EXPECT_NE(told_.find("no way leads farther"), std::string::npos) << told_;
+    }
+  }
+}
+
 TEST_F(Trapped, CrowdsThatCrossDoNotTouch) {
   std::string units;
   for (const char* name : {"a", "b", "c", "d"})

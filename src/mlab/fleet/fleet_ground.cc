@@ -15,6 +15,21 @@ const TeamGround& Fleet::ground_of(const FleetRobot& robot) const {
   return own == now_.grounds.end() ? *now_.map : *own->second;
 }
 
+// What doesn't run, and isn't driven by a failsafe, moves no more until somebody starts it again. Small
+// bodies are passed by those who see them, and nothing is planned for them.
+bool Fleet::is_wreck(const FleetRobot& robot) const {
+  return robot.life != RobotLife::kRunning && robot.life != RobotLife::kNotStarted &&
+         robot.capabilities.radius >= TeamGround::kSmallest &&
+         !(robot.life == RobotLife::kFaulted && now_.failsafes->drives(robot.failsafe));
+}
+
+bool Fleet::is_of_wreck(geom::Point place) const {
+  constexpr double kSame = 0.2;  // sensors are not exact [m]
+  return std::ranges::any_of(now_.robots, [&](const FleetRobot& robot) {
+    return is_wreck(robot) && distance(pose(robot).position, place) <= kSame;
+  });
+}
+
 void Fleet::note_found(std::uint32_t robot, const percept::Percepts& percepts, double reach,
                        Worker& worker) const {
   const TeamGround& ground = ground_of(now_.robots[robot]);
@@ -23,12 +38,20 @@ void Fleet::note_found(std::uint32_t robot, const percept::Percepts& percepts, d
     const geom::Point place = percepts.pose.point_at(one.center);
     if (!ground.knows(place)) worker.found.push_back({robot, {place, one.radius}});
   }
+  for (const percept::RobotReading& one : percepts.robots) {
+    if (one.radius < TeamGround::kSmallest || !(reach > 0.0)) continue;  // whom it can miss, too
+    const FleetRobot* const other = find(one.id);
+    if (other == nullptr || !is_wreck(*other)) continue;
+    const geom::Point place = percepts.pose.point_at(one.center);
+    if (!ground.knows(place)) worker.found.push_back({robot, {place, one.radius}});
+  }
   // Once a second or so, not all robots at once.
   constexpr std::int64_t kEvery = 10;
   const auto cycle = static_cast<std::int64_t>(percepts.time / percepts.cycle_duration);
   if ((cycle + robot) % kEvery != 0) return;
-  for (const geom::Point place : ground.missed(percepts.pose, reach, percepts.obstacles))
-    worker.missed.emplace_back(robot, place);
+  for (const geom::Point place : ground.missed(percepts.pose, reach, percepts.obstacles)) {
+    if (!is_of_wreck(place)) worker.missed.emplace_back(robot, place);
+  }
 }
 
 void Fleet::add_found() {

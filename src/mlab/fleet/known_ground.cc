@@ -91,8 +91,7 @@ std::shared_ptr<const TeamGround> TeamGround::with(std::span<const ways::Round> 
 
 std::vector<geom::Point> TeamGround::missed(const geom::Pose& pose, double reach,
                                             std::span<const percept::Obstacle> seen) const {
-  constexpr double kSmallest = 0.25;  // [m]
-  constexpr double kWithin = 1.0;     // so much nearer than its sensors reach [m]
+  constexpr double kWithin = 1.0;  // so much nearer than its sensors reach [m]
   std::vector<std::uint32_t> discs;
   std::vector<geom::Point> out;
   if (!(reach >= kWithin) || !std::isfinite(pose.position.x + pose.position.y)) return out;

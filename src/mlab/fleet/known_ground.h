@@ -22,6 +22,9 @@ class TeamGround {
   /// So many sensed things are remembered, at most.
   static constexpr std::size_t kMostSensed = 4'000;
 
+  /// What is smaller may be overlooked, so it is never missed [m].
+  static constexpr double kSmallest = 0.25;
+
   explicit TeamGround(const overlay::Overlay& map);
 
   /// Valid as long as this is.

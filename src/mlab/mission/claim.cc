@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mlab/mission/step.h"
+#include "mlab/mission/tasks.h"
 #include "mlab/mission/wording.h"
 
 namespace mlab::mission {
@@ -33,8 +34,31 @@ bool can_follow(const RobotState& robot) {
   return robot.life == RobotState::Life::kStarted && (robot.seen == 0 || robot.is_running);
 }
 
-// Who is not in the plan any more, who runs already, and, of an order, who does not run. A step waits for its
-// robots, since they may still come.
+// It ran once, and does not now: another one may take its place, but it does not come by itself.
+bool is_lost(const RobotState& robot) {
+  return robot.life == RobotState::Life::kStarted && robot.seen != 0 && !robot.is_running;
+}
+
+void warn_of_left_out(Turn& turn, const Run& run, const std::vector<base::RobotId>& out) {
+  const bool is_one = out.size() == 1;
+  warn(turn,
+       fmt::format("{}{} {} not run and {} left out of `{}`", owner_prefix(turn.state, run.owner),
+                   robots_text(out), is_one ? "does" : "do", is_one ? "is" : "are",
+                   turn.state.commands[run.record].text),
+       run.owner);
+}
+
+// Of a step: who was lost before, if others are left. A step waits for robots that were never started, since
+// they may still come; and where robots share something nobody waits for who is lost.
+void leave_out_lost(Turn& turn, Run& run) {
+  if (info(run.command->task).is_shared) return;
+  const auto lost = [&](base::RobotId id) { return is_lost(*find_robot(turn.state, id)); };
+  if (std::ranges::all_of(run.needed, lost)) return;
+  run.left_out = let_go(run, lost);
+  if (!run.left_out.empty()) warn_of_left_out(turn, run, run.left_out);
+}
+
+// Who is not in the plan any more, who runs already, and who does not run.
 bool leave_out(Turn& turn, Run& run) {
   const State& s = turn.state;
   const Task task = run.command->task;
@@ -48,14 +72,11 @@ bool leave_out(Turn& turn, Run& run) {
            fmt::format("{}{} {} already and can't be started again", prefix, robots_text(out),
                        out.size() == 1 ? "runs" : "run"),
            run.owner);
-  } else if (task != Task::kStop && !is_step(s, run.owner)) {
+  } else if (task != Task::kStop && is_step(s, run.owner)) {
+    leave_out_lost(turn, run);
+  } else if (task != Task::kStop) {
     out = let_go(run, [&](base::RobotId id) { return !can_follow(*find_robot(s, id)); });
-    if (!out.empty() && !run.needed.empty())
-      warn(turn,
-           fmt::format("{}{} {} not run and {} left out of `{}`", owner_prefix(s, run.owner),
-                       robots_text(out), out.size() == 1 ? "does" : "do", out.size() == 1 ? "is" : "are",
-                       s.commands[run.record].text),
-           run.owner);
+    if (!out.empty() && !run.needed.empty()) warn_of_left_out(turn, run, out);
   }
   run.missing = static_cast<std::uint32_t>(run.needed.size());
   if (!run.needed.empty() || out.empty() || task == Task::kStart) return true;
@@ -134,7 +155,7 @@ bool claim(Turn& turn, Run& run) {
   for (const base::RobotId id : run.needed) {
     RobotState& robot = *find_robot(s, id);
     robot.run = index_of(s, run);
-    robot.done = robot.warned = false;
+    robot.done = robot.warned = robot.has_given_up = false;
     robot.remaining = robot.best = std::numeric_limits<double>::infinity();
   }
   warn_of_twice(turn, run, twice);

@@ -77,6 +77,33 @@ void order_robots(Turn& turn, Run& run) {
   if (!s.options.proceed_all) emit(turn, effect::OpenTeleoperation{run.record});
 }
 
+// As the unit has them.
+void sort_by_rank(const State& state, const Run& run, std::vector<base::RobotId>& robots) {
+  const std::vector<base::RobotId> ranks = members_of(*state.mission, *run.command);
+  std::ranges::sort(robots, {}, [&](base::RobotId id) { return std::ranges::find(ranks, id); });
+}
+
+// Under the order of the run's last part, or, in a RALLY, under one of its own.
+void order_too(Turn& turn, Run& run, RobotState& robot) {
+  State& s = turn.state;
+  Part& last = run.parts.back();
+  Group* const group = find_group(s, last.sequence);
+  if (run.command->task == Task::kRally) {
+    Group own = *group;
+    own.members = {robot.id};
+    Part part = last;
+    part.done = false;
+    part.sequence = give_order(turn, std::move(own));
+    run.parts.push_back(part);
+    return;
+  }
+  leave_order(turn, robot);
+  robot.sequence = group->sequence;
+  group->members.push_back(robot.id);
+  sort_by_rank(s, run, group->members);
+  emit(turn, order_of(*group));
+}
+
 // The command goes out to its robots, which leave whatever they did.
 void carry_out(Turn& turn, Run& run) {
   run.phase = Run::Phase::kRobots;
@@ -156,6 +183,36 @@ bool begin_held(Turn& turn) {
   return any;
 }
 
+void take_in(Turn& turn, Run& run) {
+  State& s = turn.state;
+  if (run.left_out.empty() || run.phase != Run::Phase::kRobots || run.parts.empty()) return;
+  if (find_group(s, run.parts.back().sequence) == nullptr) return;  // all of it went to other orders
+  std::vector<base::RobotId> back;
+  for (const base::RobotId id : run.left_out) {
+    const RobotState* robot = find_robot(s, id);
+    if (robot == nullptr || robot->run != kNoRun || !in_sight(s, *robot) || !robot->is_running) continue;
+    back.push_back(id);
+  }
+  if (back.empty()) return;
+  std::erase_if(run.left_out, [&](base::RobotId id) { return std::ranges::find(back, id) != back.end(); });
+  for (const base::RobotId id : back) {
+    RobotState& robot = *find_robot(s, id);
+    order_too(turn, run, robot);
+    robot.run = index_of(s, run);
+    robot.done = robot.warned = robot.has_given_up = false;
+    robot.remaining = robot.best = std::numeric_limits<double>::infinity();
+    run.needed.push_back(id);
+    ++run.missing;
+  }
+  sort_by_rank(s, run, run.needed);
+  run.stalled = 0.0;
+  message(turn,
+          fmt::format("{}{} {} again and {} part in `{}`", owner_prefix(s, run.owner), robots_text(back),
+                      back.size() == 1 ? "runs" : "run", back.size() == 1 ? "takes" : "take",
+                      s.commands[run.record].text),
+          run.owner);
+}
+
 std::uint32_t give_order(Turn& turn, Group group) {
   State& s = turn.state;
   group.sequence = ++s.last_sequence;
@@ -163,7 +220,7 @@ std::uint32_t give_order(Turn& turn, Group group) {
     RobotState& robot = *find_robot(s, id);
     leave_order(turn, robot);
     robot.sequence = group.sequence;
-    robot.done = false;
+    robot.done = robot.has_given_up = false;
     robot.remaining = robot.best = std::numeric_limits<double>::infinity();
   }
   emit(turn, order_of(group));

@@ -18,6 +18,10 @@ void begin_commands(Turn& turn, const std::vector<Command>& commands,
 /// whether one did
 bool begin_held(Turn& turn);
 
+/// Robots that did not run as a command began, and run now, take part in it from here on, with the last of
+/// its parts.
+void take_in(Turn& turn, Run& run);
+
 /// Puts the group's members under a new order, whose sequence is given here.
 /// @return  the sequence
 std::uint32_t give_order(Turn& turn, Group group);

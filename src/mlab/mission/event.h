@@ -20,7 +20,7 @@ struct RobotReport {
   bool is_running = false;     ///< started, not stopped, no fault
   std::uint32_t sequence = 0;  ///< of the order that `done` and `remaining` speak of
   bool done = false;
-  double remaining = 0.0;  ///< [m]; infinite: it can do no more of what its unit shares
+  double remaining = 0.0;  ///< [m]; infinite: it can do no more of it
 
   friend bool operator==(const RobotReport&, const RobotReport&) = default;
 };

@@ -137,6 +137,48 @@ TEST_F(Patience, LastsWithOneThatIsReplacedInTime) {
   EXPECT_EQ(fleet.state().outcome, Outcome::kDone) << fleet.transcript();
 }
 
+TEST_F(Patience, IsNotTriedByWhoWasLostBeforeTheCommandBegan) {
+  for (const Task task : {Task::kMoveTo, Task::kRally}) {
+    MissionMaker maker = maker_;
+    UnitCommand whole = command(a_, task, "A", {100, 5});
+    whole.radius = 10;
+    maker.step({move_to(b_, "B", {10, 50})}).step({whole});
+    ToyFleet fleet(maker.make(), ExecutiveOptions{.patience = 60.0});
+    fleet.send(event::Execute{});
+    fleet.run_cycles(2);
+    fleet.robot(2).report.is_running = false;
+    fleet.run(100.0);
+    EXPECT_EQ(fleet.state().outcome, Outcome::kDone) << fleet.transcript();
+    const std::string text = task == Task::kMoveTo ? "MOVETO" : "RALLY";
+    EXPECT_TRUE(fleet.has_told("step 2: robot 2 does not run and is left out of `unit a " + text + " A`"))
+        << fleet.transcript();
+  }
+}
+
+TEST_F(Patience, IsHadAgainWithWhoWasLeftOutAndIsReplaced) {
+  for (const Task task : {Task::kMoveTo, Task::kRally}) {
+    MissionMaker maker = maker_;
+    UnitCommand whole = command(a_, task, "A", {100, 5});
+    whole.radius = 10;
+    maker.step({move_to(b_, "B", {10, 50})}).step({whole});
+    ToyFleet fleet(maker.make(), ExecutiveOptions{.patience = 60.0});
+    fleet.send(event::Execute{});
+    fleet.run_cycles(2);
+    fleet.robot(2).report.is_running = false;
+    ASSERT_TRUE(fleet.run_until([&] { return fleet.state().steps.size() == 3; }, 60.0)) << fleet.transcript();
+    fleet.run(2.0);
+    fleet.robot(2).report.is_running = true;
+    fleet.run_cycles(2);
+    EXPECT_TRUE(fleet.has_told("robot 2 runs again and takes part in `unit a")) << fleet.transcript();
+    ASSERT_EQ(fleet.state().runs.size(), 1U);
+    EXPECT_EQ(fleet.state().runs[0].needed, (std::vector{base::RobotId{1}, base::RobotId{2}}));
+    EXPECT_EQ(fleet.state().runs[0].missing, 2U);
+    fleet.run(100.0);
+    EXPECT_EQ(fleet.state().outcome, Outcome::kDone) << fleet.transcript();
+    EXPECT_NEAR(fleet.robot(2).report.pose.position.x, 100.0, 15.0) << "it came, too";
+  }
+}
+
 TEST_F(Patience, WithoutAnEndLastsAlsoWhereNobodyIsLeft) {
   maker_.step({move_to(b_, "B", {100, 50})});
   fleet_ = std::make_unique<ToyFleet>(maker_.make(), ExecutiveOptions{.patience = 0.0});

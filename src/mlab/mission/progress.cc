@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/mission/dispatch.h"
 #include "mlab/mission/known_map.h"
 #include "mlab/mission/phase_line.h"
 #include "mlab/mission/question.h"
@@ -38,8 +39,17 @@ void mark_done_for_all(State& state, std::uint32_t run) {
   }
 }
 
+// That no way leads farther, whoever has come nearer before.
+void take_giving_up(Run& run, RobotState& robot, const RobotReport& report) {
+  const bool had_given_up = robot.has_given_up;
+  robot.has_given_up =
+      std::isinf(report.remaining) && report.remaining > 0.0 && (had_given_up || std::isfinite(robot.best));
+  if (had_given_up && !robot.has_given_up) run.stalled = 0.0;
+}
+
 void take_order_report(State& state, RobotState& robot, const RobotReport& report) {
   if (report.sequence != robot.sequence || robot.sequence == 0) return;
+  take_giving_up(state.runs[robot.run], robot, report);
   if (std::isfinite(report.remaining) && report.remaining >= 0.0) robot.remaining = report.remaining;
   // Where robots share something, what is left for one of them may grow; it gives up by itself what it comes
   // no nearer to.
@@ -56,13 +66,14 @@ void take_order_report(State& state, RobotState& robot, const RobotReport& repor
 }
 
 // Whether a robot is at the place of a RALLY, which it may leave again as long as others are under way.
-void take_arrival(Run& run, RobotState& robot) {
+void take_arrival(Run& run, RobotState& robot, const RobotReport& report) {
   if (run.phase != Run::Phase::kRobots) return;
+  if (report.sequence == robot.sequence) take_giving_up(run, robot, report);
   const double to_go = geom::distance(robot.pose.position, run.command->goal) - run.command->radius;
   robot.remaining = std::max(0.0, to_go);
   if (to_go < robot.best - kProgress) {
     robot.best = to_go;
-    if (!robot.done) run.stalled = 0.0;
+    if (!robot.done && !robot.has_given_up) run.stalled = 0.0;
   }
   if (to_go <= 0.0 && !robot.done) {
     robot.done = true;
@@ -103,7 +114,7 @@ void take_report(State& state, const RobotReport& report) {
       if (!report.is_running) mark_done(state, *robot);
       break;
     case Task::kRally:
-      if (report.is_running) take_arrival(state.runs[robot->run], *robot);
+      if (report.is_running) take_arrival(state.runs[robot->run], *robot, report);
       break;
     case Task::kMoveTo:
     case Task::kOccupy:
@@ -267,6 +278,19 @@ bool is_given_up(const State& state, const Run& run) {
   return has_some;
 }
 
+// No way leads those of its robots farther that run and are not done; who halts meanwhile waits for them.
+bool is_closed_off(const State& state, const Run& run) {
+  bool has_some = false;
+  for (const base::RobotId id : run.needed) {
+    const RobotState* robot = find_robot(state, id);
+    if (robot == nullptr || !robot->is_running || robot->done) continue;
+    if (const Group* group = find_group(state, robot->sequence); group != nullptr && group->halted) continue;
+    if (!robot->has_given_up) return false;
+    has_some = true;
+  }
+  return has_some;
+}
+
 struct Verdict {
   Failure failure = Failure::kNone;  // none: it goes on
   std::string why;
@@ -276,6 +300,7 @@ struct Verdict {
 Verdict judge(const State& state, const Run& run) {
   // Time to replace a robot, for an operator who looks on.
   constexpr double kNobodyCame = 30.0;  // [s]
+  constexpr double kNoneOpened = 60.0;  // or to clear a way [s]
   if (state.options.patience <= 0.0) return {};
   if (is_given_up(state, run))
     return {has_lost_robots(state, run) ? Failure::kRobotsLost : Failure::kNoProgress,
@@ -283,6 +308,9 @@ Verdict judge(const State& state, const Run& run) {
   if (run.stalled >= state.options.patience)
     return {has_lost_robots(state, run) ? Failure::kRobotsLost : Failure::kNoProgress,
             fmt::format("no progress for {:.0f} s", run.stalled)};
+  if (run.stalled >= kNoneOpened && !info(run.command->task).is_shared && is_closed_off(state, run))
+    return {Failure::kNoWay,
+            fmt::format("no way leads there, and none was opened for {:.0f} s", kNoneOpened)};
   if (run.stalled >= kNobodyCame && has_nobody_left(state, run))
     return {Failure::kNobodyLeft,
             fmt::format("none of its robots runs, and nobody replaced one for {:.0f} s", kNobodyCame)};
@@ -318,6 +346,7 @@ void take_cycle(Turn& turn, const event::Cycle& cycle) {
   if (!silent.empty()) warn_of_silent_robots(turn, silent);
   if (s.paused || s.mode != State::Mode::kRunning) return;
   const auto failed = failed_starts(s, cycle.robots);
+  for (Run& run : s.runs) take_in(turn, run);
   for (Run& run : s.runs) {
     if (run.phase == Run::Phase::kRobots) steer_parts(turn, run);
   }

@@ -23,9 +23,12 @@ std::string_view name(Outcome outcome) {
 }
 
 std::string_view name(Failure failure) {
-  constexpr std::array<std::string_view, 5> kNames = {"", "robots did not start", "no progress",
+  constexpr std::array<std::string_view, 6> kNames = {"",
+                                                      "robots did not start",
+                                                      "no progress",
                                                       "no progress, and robots that it waits for do not run",
-                                                      "none of its robots runs"};
+                                                      "none of its robots runs",
+                                                      "no way leads there"};
   const auto index = static_cast<std::size_t>(failure);
   return index < kNames.size() ? kNames[index] : "";
 }

@@ -39,7 +39,8 @@ enum class Failure : std::uint8_t {
   kNotStarted,  ///< robots that were to start do not run
   kNoProgress,  ///< nobody came nearer to being done for too long
   kRobotsLost,  ///< likewise, and some of those that it waited for do not run
-  kNobodyLeft   ///< none of its robots runs
+  kNobodyLeft,  ///< none of its robots runs
+  kNoWay        ///< no way leads those there that are not done
 };
 /// `no progress`, ...; empty for none
 std::string_view name(Failure failure);
@@ -92,6 +93,7 @@ struct RobotState {
   bool is_running = false;  ///< as it last reported
   bool done = false;        ///< with what `run` waits for; retracted only where a RALLY's robot leaves again
   bool warned = false;      ///< that it doesn't run, once per command
+  bool has_given_up = false;   ///< it came nearer once, and has said last that it can do so no more
   std::uint32_t sequence = 0;  ///< of its order; 0: none
   std::uint32_t reported = 0;  ///< the sequence that it last spoke of
   std::uint32_t run = kNoRun;  ///< index into State::runs: who waits for it
@@ -158,11 +160,12 @@ struct Run {
   std::uint32_t unit = 0;    ///< index into Mission::units; kNoUnit: the command names robots
   CommandRef command;
   Phase phase = Phase::kHeld;
-  std::vector<base::RobotId> needed;  ///< whom it is for, without those that orders took, in rank order
-  std::optional<double> ends;         ///< it is done at this run time (UNTIL behind others than OCCUPY) [s]
-  std::uint32_t missing = 0;          ///< how many of `needed` are not done
-  double stalled = 0.0;               ///< time without progress [s]
-  std::vector<LineState> lines;       ///< for each phase line of the command
+  std::vector<base::RobotId> needed;    ///< whom it is for, without those that orders took, in rank order
+  std::vector<base::RobotId> left_out;  ///< who did not run as it began: they take part once they run again
+  std::optional<double> ends;           ///< it is done at this run time (UNTIL behind others than OCCUPY) [s]
+  std::uint32_t missing = 0;            ///< how many of `needed` are not done
+  double stalled = 0.0;                 ///< time without progress [s]
+  std::vector<LineState> lines;         ///< for each phase line of the command
   Technique technique = Technique::kTraveling;  ///< what is possible: a unit of one robot travels
   std::vector<Part> parts;                      ///< empty for START and STOP
   bool in_file = false;           ///< the parts go one behind the other; else they can pass each other

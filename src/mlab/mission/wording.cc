@@ -126,6 +126,7 @@ std::string reason(const State& state, const Run& run, const RobotState& robot) 
   if (robot.reported != robot.sequence) return "it has not taken up the order";
   if (info(run.command->task).is_shared && can_do_no_more(robot))
     return "it can come to nothing that is left";
+  if (robot.has_given_up) return "no way leads farther";
   const Group* group = find_group(state, robot.sequence);
   if (group != nullptr && group->halted) return "halted while another part of the unit moves";
   return "no progress";

@@ -17,7 +17,7 @@ std::size_t bytes_of(const mission::State& state) {
                     bytes_of(state.questions) + bytes_of(state.steps) + bytes_of(state.commands);
   for (const mission::Group& group : state.groups) out += bytes_of(group.members);
   for (const mission::Run& run : state.runs)
-    out += bytes_of(run.needed) + bytes_of(run.lines) + bytes_of(run.parts);
+    out += bytes_of(run.needed) + bytes_of(run.left_out) + bytes_of(run.lines) + bytes_of(run.parts);
   for (const mission::CommandRecord& command : state.commands)
     out += command.text.size() + command.unit.size() + command.place.size() + command.message.size();
   return out;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "mlab/schema/requests.h"
 #include "mlab/schema/route.h"
+#include "mlab/schema/way.h"
 
 namespace mlab::schema {
 namespace {
@@ -57,9 +60,47 @@ std::optional<TourPlace> place_on_round(const Percepts& percepts, const percept:
 struct OnRound {
   base::RobotId robot;
   std::size_t leg = 0;  // it heads for that place
-  geom::Point at;       // the nearest one of the leg
-  double along = 0.0;   // the leg [m]
+  double along = 0.0;   // that leg [m]
 };
+
+using Polyline = std::vector<geom::Point>;
+
+// The legs of a round, which end at its places. Who shows a round asks many times for the same one.
+const std::vector<Polyline>& legs_of(const Percepts& percepts, double radius, double margin) {
+  struct Legs {
+    std::uint64_t revision = 0;  // of the ground
+    std::vector<geom::Point> tour;
+    double radius = 0.0;
+    double margin = 0.0;
+    std::vector<Polyline> all;
+  };
+  thread_local Legs known;
+  const std::span<const geom::Point> tour = percepts.order.route;
+  if (known.revision == percepts.ground.revision && known.radius == radius && known.margin == margin &&
+      std::ranges::equal(known.tour, tour))
+    return known.all;
+  known = {percepts.ground.revision, {tour.begin(), tour.end()}, radius, margin, {}};
+  geom::Point from = tour.empty() ? geom::Point{} : tour.back();
+  for (const geom::Point& place : tour) {
+    const ways::PlannedWay way = plan_way(percepts.ground, from, place, radius, margin);
+    const bool leads = way.end == ways::WayEnd::kGoal || way.end == ways::WayEnd::kBesideGoal;
+    const auto points = way.points();
+    known.all.push_back(leads ? Polyline(points.begin(), points.end()) : Polyline{from, place});
+    from = known.all.back().back();
+  }
+  return known.all;
+}
+
+// Adds what of a leg lies behind one place on it, up to another one or to its end; without the first one.
+void add_piece(const Polyline& leg, double from, std::optional<double> to, Polyline& out) {
+  const double end = to.value_or(std::numeric_limits<double>::infinity());
+  double at = 0.0;
+  for (std::size_t i = 1; i + 1 < leg.size(); ++i) {
+    at += geom::distance(leg[i - 1], leg[i]);
+    if (at > from && at < end) out.push_back(leg[i]);
+  }
+  out.push_back(to ? route_point(leg, *to) : leg.back());
+}
 
 }  // namespace
 
@@ -138,15 +179,14 @@ double patrol_pace(const Percepts& percepts, double patience, double slowest) {
   return std::clamp(1.0 + kGain * (ahead - share) / share, slowest, 1.0);
 }
 
-std::vector<Stretch> stretches(const Percepts& percepts, double patience) {
-  const std::span<const geom::Point> tour = percepts.order.route;
+std::vector<Stretch> stretches(const Percepts& percepts, double patience, double radius, double margin) {
+  const std::vector<Polyline>& legs = legs_of(percepts, radius, margin);
   std::vector<OnRound> all;
   for (const percept::SharedPlace& shared : percepts.shared_places) {
     const auto place = place_on_round(percepts, shared, patience);
     if (!place) continue;
-    const geom::Point begin = tour[(place->leg + tour.size() - 1) % tour.size()];
-    const geom::Point at = geom::nearest_point({begin, tour[place->leg]}, shared.place);
-    all.push_back({shared.from, place->leg, at, geom::distance(begin, at)});
+    const Polyline& leg = legs[place->leg];
+    all.push_back({shared.from, place->leg, nearest_way(leg, shared.place, 0.0, route_length(leg))});
   }
   // Side by side who has the lower number is ahead, as for their pace.
   std::ranges::sort(all, [](const OnRound& a, const OnRound& b) {
@@ -157,11 +197,15 @@ std::vector<Stretch> stretches(const Percepts& percepts, double patience) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const OnRound& from = all[i];
     const OnRound& to = all[(i + 1) % all.size()];
-    Stretch& stretch = out.emplace_back(from.robot, std::vector{from.at});
-    const bool is_on_leg = from.leg == to.leg && i + 1 < all.size();
-    const std::size_t corners = is_on_leg ? 0 : (to.leg + tour.size() - from.leg - 1) % tour.size() + 1;
-    for (std::size_t k = 0; k < corners; ++k) stretch.way.push_back(tour[(from.leg + k) % tour.size()]);
-    stretch.way.push_back(to.at);
+    Polyline& way = out.emplace_back(from.robot, Polyline{route_point(legs[from.leg], from.along)}).way;
+    if (from.leg == to.leg && i + 1 < all.size()) {
+      add_piece(legs[to.leg], from.along, to.along, way);
+      continue;
+    }
+    add_piece(legs[from.leg], from.along, std::nullopt, way);
+    for (std::size_t leg = (from.leg + 1) % legs.size(); leg != to.leg; leg = (leg + 1) % legs.size())
+      add_piece(legs[leg], 0.0, std::nullopt, way);
+    add_piece(legs[to.leg], 0.0, to.along, way);
   }
   return out;
 }

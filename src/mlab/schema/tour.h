@@ -47,10 +47,14 @@ double patrol_pace(const percept::Percepts& percepts, double patience, double sl
 /// share of the round is.
 struct Stretch {
   base::RobotId robot;
-  std::vector<geom::Point> way;  ///< straight from place to place [m, world]; at least two points
+  std::vector<geom::Point> way;  ///< [m, world]; at least two points
 };
 /// The stretches of all who have told where they are, but those who have told nothing for `patience` [s] or
-/// come to none of the places: together they are the round. In the order of the robots on it.
-std::vector<Stretch> stretches(const percept::Percepts& percepts, double patience);
+/// come to none of the places: together they are the round. In the order of the robots on it. From place to
+/// place they are as robots plan them on the ground that is known; straight where none is, or no way leads.
+/// @param radius  of their bodies [m]
+/// @param margin  that they keep [m]
+std::vector<Stretch> stretches(const percept::Percepts& percepts, double patience, double radius,
+                               double margin);
 
 }  // namespace mlab::schema

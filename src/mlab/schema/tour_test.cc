@@ -30,7 +30,7 @@ class Stretches : public testing::Test {
 
   std::vector<Stretch> all() {
     percepts_.shared_places = told_;
-    return stretches(percepts_, 5.0);
+    return stretches(percepts_, 5.0, 0.2, 5.0);
   }
 
   // Of the robots, in their order.
@@ -61,6 +61,19 @@ TEST_F(Stretches, AreAllOfTheRoundForOneThatIsAlone) {
   const std::vector<Stretch> out = all();
   ASSERT_EQ(out.size(), 1U);
   EXPECT_EQ(out[0].way, (std::vector<Point>{{100, 30}, {100, 100}, {0, 100}, {0, 0}, {100, 0}, {100, 30}}));
+}
+
+TEST_F(Stretches, LeadRoundWhatIsKnownToStandThere) {
+  const std::vector<ways::Round> discs = {{{50, 0}, 10.0}};
+  percepts_.ground = {1234, discs, {}, {-200, -200, 200, 200}, 0};
+  tell(1, 1, {20, -8});
+  tell(2, 2, {100, 50});
+  const std::vector<Stretch> out = all();
+  ASSERT_EQ(out.size(), 2U);
+  EXPECT_GT(out[0].way.size(), 3U) << "round the disc";
+  for (const Point corner : out[0].way) EXPECT_GE(distance(corner, discs[0].center), 15.0);
+  EXPECT_EQ(out[0].way.back(), (Point{100, 50}));
+  EXPECT_EQ(out[1].way.back(), out[0].way.front());
 }
 
 TEST_F(Stretches, StayOnALegThatTwoAreOn) {

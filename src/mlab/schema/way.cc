@@ -126,9 +126,16 @@ PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& wa
   if (end != WayEnd::kGoal) return out;
   if (tight.clearing().is_free(goal))
     add(out, goal);
-  else
+  else if (out.end != WayEnd::kFull)
     out.end = WayEnd::kBesideGoal;
   return out;
+}
+
+// Where somebody is as near to a goal as who can't stand there may be, about.
+bool is_beside(const ways::Clearing& tight, geom::Point place, geom::Point goal) {
+  constexpr double kOnTheOtherSide = 20.0;  // of what stands there [m]
+  const auto nearest = tight.nearest_free(goal);
+  return nearest && distance(place, goal) <= 2.0 * distance(*nearest, goal) + kOnTheOtherSide;
 }
 
 // Where no way leads to the goal: to the nearest place to it that one leads to.
@@ -143,8 +150,8 @@ std::optional<PlannedWay> way_near(Site& tight, geom::Point from, geom::Point be
     auto back = tight.planner.find(place, begin, kEffortOfAll - spent);
     if (!back) continue;
     std::ranges::reverse(back->corners);
-    return put_together(tight, from, *back, goal,
-                        tight.clearing().is_free(goal) ? WayEnd::kClosedOff : WayEnd::kBesideGoal);
+    const bool is_there = !tight.clearing().is_free(goal) && is_beside(tight.clearing(), place, goal);
+    return put_together(tight, from, *back, goal, is_there ? WayEnd::kBesideGoal : WayEnd::kClosedOff);
   }
   return std::nullopt;
 }
@@ -362,10 +369,23 @@ std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geo
   return passed;
 }
 
+namespace {
+
+// Whether nobody can be where a way ends, on other ground than it was planned on.
+bool is_end_taken(const percept::KnownGround& ground, const PlannedWay& way) {
+  return way.count > 0 && std::ranges::any_of(ground.discs, [&](const ways::Round& disc) {
+           return distance(disc.center, way.points().back()) < disc.radius;
+         });
+}
+
+}  // namespace
+
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const PlannedWay& way,
               geom::Point from, double stray, bool is_body, double& off) {
   off = std::numeric_limits<double>::infinity();
-  if (!is_same_ground && (way.end == WayEnd::kClosedOff || !is_open(ground, way))) return false;
+  if (!is_same_ground &&
+      (way.end == WayEnd::kClosedOff || !is_open(ground, way) || is_end_taken(ground, way)))
+    return false;
   const double length = way_length(way);
   const double at = nearest_on(way, from, 0.0, length);
   const double away = distance(point_on(way, at), from);

@@ -72,6 +72,31 @@ TEST(PlanWay, EndsBesideAGoalThatSomethingStandsOn) {
   EXPECT_NEAR(distance(way.points().back(), {34.8, 50.0}), 0.0, 1e-3);
 }
 
+TEST(PlanWay, IsClosedOffFromAGoalInAWallOfAClosedRoom) {
+  Known known;
+  known.walls = {{{60.0, 50.0}, {140.0, 50.0}},
+                 {{140.0, 50.0}, {140.0, 150.0}},
+                 {{140.0, 150.0}, {60.0, 150.0}},
+                 {{60.0, 150.0}, {60.0, 50.0}},
+                 {{100.0, 90.0}, {100.0, 110.0}}};
+  known.revision = next_revision();
+  const auto in_the_middle = plan_way(known.ground(), {20.0, 100.0}, {100.0, 100.0}, 0.2, 5.0);
+  EXPECT_EQ(in_the_middle.end, WayEnd::kClosedOff) << "what is free beside it is as closed off";
+  const auto at_the_side = plan_way(known.ground(), {20.0, 100.0}, {60.1, 100.0}, 0.2, 5.0);
+  EXPECT_EQ(at_the_side.end, WayEnd::kBesideGoal) << "the other side of the wall";
+}
+
+TEST(PlanWay, GoesOnWhereItIsTooLongToBeToldAlsoToAGoalThatSomethingStandsOn) {
+  Known known;
+  for (int i = 1; i < 48; ++i)
+    known.walls.push_back({{4.0 * i, i % 2 == 0 ? 3.0 : 0.0}, {4.0 * i, i % 2 == 0 ? 200.0 : 197.0}});
+  known.revision = next_revision();
+  for (const Point goal : {Point{190.0, 100.0}, Point{188.1, 100.0}}) {
+    const auto way = plan_way(known.ground(), {2.0, 100.0}, goal, 0.2, 0.1);
+    EXPECT_EQ(way.end, WayEnd::kFull);
+  }
+}
+
 TEST(PlanWay, EndsAtAGoalNearSomething) {
   const Known known = with_disc();
   const auto way = plan_way(known.ground(), {20.0, 50.0}, {38.0, 50.0}, 0.2, 5.0);
@@ -246,6 +271,16 @@ TEST(LeadsOn, SaysHowFarOffTheWayOneIs) {
   EXPECT_EQ(off(), 3.0);
   way.end = WayEnd::kFull;
   EXPECT_EQ(off(), std::numeric_limits<double>::infinity()) << "where its end is near it is to be planned on";
+}
+
+TEST(LeadsOn, NotToAPlaceThatSomethingNewStandsAt) {
+  Known known = with_disc();
+  const auto way = plan_way(known.ground(), {10.0, 20.0}, {150.0, 20.0}, 0.2, 5.0);
+  known.revision = next_revision();
+  double off = 0.0;
+  EXPECT_TRUE(leads_on(known.ground(), false, way, {10.0, 20.0}, 5.0, true, off));
+  known.discs.push_back({{153.0, 20.0}, 6.0});
+  EXPECT_FALSE(leads_on(known.ground(), false, way, {10.0, 20.0}, 5.0, true, off));
 }
 
 // Whether it is known how long a way is makes no difference, to the last bit.

@@ -55,8 +55,11 @@ void encode_part(const schema::Errands& errands, std::size_t errand, Status::Com
 }
 
 // What each of them has before it on its round, as one of them knows it.
-void encode_round(const percept::Percepts& percepts, std::size_t& room, Status::Command& out) {
-  const std::vector<schema::Stretch> all = schema::stretches(percepts, kSilence);
+void encode_round(const fleet::FleetRobot& robot, const percept::Percepts& percepts, std::size_t& room,
+                  Status::Command& out) {
+  const std::vector<schema::Stretch> all =
+      schema::stretches(percepts, kSilence, robot.program->number("robot_radius").value_or(0.2),
+                        robot.program->number("avoid_obstacle_safety_margin").value_or(0.0));
   if (all.size() > room) return;
   room -= all.size();
   for (const schema::Stretch& one : all) {
@@ -75,9 +78,13 @@ void encode_parts(const run::MissionRun& run, const mission::Run& command, std::
   for (const base::RobotId id : command.needed) {
     const fleet::FleetRobot* robot = run.fleet().find(id);
     if (robot == nullptr || robot->life != fleet::RobotLife::kRunning) continue;
-    const percept::Percepts percepts = run.fleet().perceive_at(*robot, run.fleet().pose(*robot), {}, 0.0);
-    if (command.command->task == mission::Task::kPatrol) {
-      encode_round(percepts, room, out);
+    const bool goes_round = command.command->task == mission::Task::kPatrol;
+    percept::Needs needs;
+    if (goes_round && robot->program->number("plans_ways").value_or(0.0) != 0.0)
+      needs.want(percept::Sensor::kGround);
+    const percept::Percepts percepts = run.fleet().perceive_at(*robot, run.fleet().pose(*robot), needs, 0.0);
+    if (goes_round) {
+      encode_round(*robot, percepts, room, out);
       return;
     }
     const schema::Errands errands(percepts);
