@@ -161,6 +161,8 @@ std::optional<std::string> SharedResults::begin(const Identity& identity) {
   const std::string text = file_.read().value_or("");
   std::size_t size = 0;
   rows_in(text, size);
+  if (size > 0 && !header_in(text.substr(0, text.find('\n'))))
+    return fmt::format("needs {}, and that {}", own_, understand(text).error());
   if (!file_.cut(size) || (size == 0 && !file_.append(header_line(identity)))) return system_error("written");
   return std::nullopt;
 }
@@ -191,8 +193,10 @@ std::vector<Row> SharedResults::news() {
     if (name == own_ && seen > 0) continue;  // of an earlier life: all else was done here
     const auto file = LockedFile::open_existing(name);
     if (!file || file->size().value_or(0) <= seen) continue;
+    const std::string lines = file->read(seen).value_or("");
+    if (seen == 0 && !header_in(lines.substr(0, lines.find('\n')))) continue;  // nobody knows of which batch
     std::size_t size = 0;
-    std::ranges::move(rows_in(file->read(seen).value_or(""), size), std::back_inserter(out));
+    std::ranges::move(rows_in(lines, size), std::back_inserter(out));
     seen += size;
   }
   return out;
