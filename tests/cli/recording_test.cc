@@ -119,7 +119,9 @@ TEST_F(RecordingCommand, CanNotBeMadeWhereThereIsNoFolder) {
   const Outcome again = mlab("replay run.mcap --headless --record nowhere/again.mcap");
   EXPECT_EQ(again.status, 2);
   EXPECT_EQ(again.out, "");
-  EXPECT_TRUE(has(again.err, "--record nowhere/again.mcap: the file can't be written")) << again.err;
+  EXPECT_TRUE(
+      has(again.err, "--record nowhere/again.mcap: the file can't be written: there is no folder `nowhere`"))
+      << again.err;
 }
 
 TEST_F(RecordingCommand, AreNeverWrittenOver) {

@@ -88,8 +88,8 @@ bool outputs_are_usable(const study::Definition& definition, const std::string& 
       wrong_batch_usage(fmt::format("{} {}: another file goes there as well", option, file));
       return false;
     }
-    if (!is_writable(file)) {
-      wrong_batch_usage(fmt::format("{} {}: the file can't be written", option, file));
+    if (const std::string why = why_not_writable(file); !why.empty()) {
+      wrong_batch_usage(fmt::format("{} {}: the file can't be written: {}", option, file, why));
       return false;
     }
     seen.push_back(file);

@@ -55,8 +55,9 @@ bool outputs_are_usable(const RunOptions& options) {
           fmt::format("{} {}: that is the {} itself, which would be overwritten", option, file, what));
       return false;
     }
-    if (is_writable(file)) continue;
-    usage_error(fmt::format("{} {}: the file can't be written", option, file));
+    const std::string why = why_not_writable(file);
+    if (why.empty()) continue;
+    usage_error(fmt::format("{} {}: the file can't be written: {}", option, file, why));
     return false;
   }
   std::error_code unknown;

@@ -81,8 +81,9 @@ bool page_is_usable(const CompareOptions& options) {
                options.page);
     return false;
   }
-  if (is_writable(options.page)) return true;
-  fmt::print(stderr, "mlab compare: --html {}: the file can't be written\n", options.page);
+  const std::string why = why_not_writable(options.page);
+  if (why.empty()) return true;
+  fmt::print(stderr, "mlab compare: --html {}: the file can't be written: {}\n", options.page, why);
   return false;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -167,10 +168,6 @@ std::unique_ptr<RunRecording> recording_of(const ReplayOptions& options, history
 }
 
 bool outputs_are_usable(const ReplayOptions& options) {
-  if (!options.report.empty() && !is_writable(options.report)) {
-    fmt::print(stderr, "mlab replay: --report {}: the file can't be written\n", options.report);
-    return false;
-  }
   std::error_code unknown;
   if (!options.record.empty() && std::filesystem::exists(options.record, unknown)) {
     fmt::print(
@@ -179,8 +176,11 @@ bool outputs_are_usable(const ReplayOptions& options) {
         options.record);
     return false;
   }
-  if (!options.record.empty() && !is_writable(options.record)) {
-    fmt::print(stderr, "mlab replay: --record {}: the file can't be written\n", options.record);
+  for (const auto& [option, file] :
+       {std::pair("--report", options.report), std::pair("--record", options.record)}) {
+    const std::string why = file.empty() ? "" : why_not_writable(file);
+    if (why.empty()) continue;
+    fmt::print(stderr, "mlab replay: {} {}: the file can't be written: {}\n", option, file, why);
     return false;
   }
   return true;
