@@ -125,7 +125,7 @@ def batch(
     threads: how many runs at once; None: one for each processor. The result is the same.
     allow_native, cell: as for :func:`load`.
     progress: called several times a second with how many runs are done, and how many there are at most.
-    page: a file for the page with plots that ``mlab batch --html`` writes.
+    page: a file for the page with plots that ``mlab batch --html`` writes: ``FILE.html``.
 
     The result does not depend on the number of threads. Ctrl-C, and what ``progress`` raises, ends it.
     """
@@ -153,7 +153,7 @@ def batch(
     given += [("set", f"{name}={_values(value, str(name))}") for name, value in (set or {}).items()]
     given += [("require", one) for one in _texts(require, "require")]
     if page is not None:
-        _try_to_write(path_of(page, "page"))
+        _try_to_write_page(path_of(page, "page"))
     if progress is not None and not callable(progress):
         raise TypeError("progress: expected something that can be called with two numbers")
     processors = len(os.sched_getaffinity(0))
@@ -181,8 +181,10 @@ def _texts(value: object, what: str) -> list[str]:
     return texts
 
 
-def _try_to_write(file: str) -> None:
+def _try_to_write_page(file: str) -> None:
     """Before the runs, which may take hours. What stands in the file is left alone."""
+    if os.path.splitext(file)[1] not in (".html", ".htm"):
+        raise Error(f"page {file}: expected FILE.html")
     is_there = os.path.lexists(file)
     try:
         with open(file, "a", encoding="utf-8"):
