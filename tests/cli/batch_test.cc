@@ -307,6 +307,8 @@ TEST_F(Batches, RefuseWhatTheyCanNotDo) {
   EXPECT_TRUE(has(told("missing.mdl"), "missing.mdl"));
   EXPECT_TRUE(has(told("m.mdl --table m.mdl"), "that is the mission itself, which would be overwritten"));
   EXPECT_TRUE(has(told("m.mdl --table x.json --results x.json"), "another file goes there as well"));
+  EXPECT_TRUE(
+      has(told("m.mdl --table x.json --results ./x.json"), "./x.json: another file goes there as well"));
   EXPECT_TRUE(has(told("m.mdl --table x.txt"), "--table x.txt: expected FILE.csv or FILE.json"));
   EXPECT_TRUE(
       has(told("m.mdl --table -"), "--table -: expected FILE.csv or FILE.json; it is written to a file"));

@@ -124,6 +124,29 @@ TEST_F(RecordingCommand, CanNotBeMadeWhereThereIsNoFolder) {
       << again.err;
 }
 
+TEST_F(RecordingCommand, AreNotWrittenOverByWhatIsMadeOfThem) {
+  record();
+  const std::string before = text_of(folder_ / "run.mcap");
+  fs::create_symlink("run.mcap", folder_ / "linked.json");
+  for (const char* arguments :
+       {"replay run.mcap --headless --report run.mcap", "replay run.mcap --headless --report linked.json",
+        "compare run.mcap run.mcap --html ./run.mcap"}) {
+    const Outcome out = mlab(arguments);
+    EXPECT_EQ(out.status, 2) << arguments;
+    EXPECT_TRUE(has(out.err, "recording itself, which would be overwritten")) << out.err;
+    EXPECT_EQ(text_of(folder_ / "run.mcap"), before) << arguments;
+  }
+  for (const std::string& arguments :
+       {std::string("replay run.mcap --headless --report new --record ./new"),
+        std::string("run mission.mdl --headless --report new --record new"),
+        "run mission.mdl --headless --save-percepts new --plot ../" + folder_.filename().string() + "/new"}) {
+    const Outcome out = mlab(arguments);
+    EXPECT_EQ(out.status, 2) << arguments;
+    EXPECT_TRUE(has(out.err, "another file goes there as well")) << out.err;
+    EXPECT_FALSE(fs::exists(folder_ / "new"));
+  }
+}
+
 TEST_F(RecordingCommand, AreNeverWrittenOver) {
   record();
   const Outcome again = mlab("run mission.mdl --headless --record run.mcap");

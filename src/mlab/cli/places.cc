@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
@@ -87,6 +88,16 @@ fs::path target_of(const std::string& path) {
   return out;
 }
 
+// Also of what is not there yet.
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const auto whole = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(target_of(path), error), error);
+  };
+  return !whole(a).empty() && whole(a) == whole(b);
+}
+
 }  // namespace
 
 std::string environment_variable(const char* name) {
@@ -145,6 +156,24 @@ std::string why_not_writable(const std::string& path) {
   if (!target.has_filename()) return "it names a folder";
   if (::access(folder.c_str(), W_OK | X_OK) == 0) return "";
   return fmt::format("no file can be made in the folder `{}`: {}", name, reason(errno));
+}
+
+std::string problem_with_outputs(const std::vector<NamedFile>& outputs,
+                                 const std::vector<NamedFile>& inputs) {
+  for (auto one = outputs.begin(); one != outputs.end(); ++one) {
+    const auto is_same = [&](const NamedFile& other) {
+      return !other.file.empty() && is_same_file(one->file, other.file);
+    };
+    if (one->file.empty()) continue;
+    if (const auto read = std::ranges::find_if(inputs, is_same); read != inputs.end())
+      return fmt::format("{} {}: that is the {} itself, which would be overwritten", one->name, one->file,
+                         read->name);
+    if (std::any_of(outputs.begin(), one, is_same))
+      return fmt::format("{} {}: another file goes there as well", one->name, one->file);
+    if (const std::string why = why_not_writable(one->file); !why.empty())
+      return fmt::format("{} {}: the file can't be written: {}", one->name, one->file, why);
+  }
+  return "";
 }
 
 bool write_file(const std::string& path, const std::string& text, const std::function<bool()>& gives_up) {

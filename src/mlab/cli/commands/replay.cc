@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -176,14 +175,10 @@ bool outputs_are_usable(const ReplayOptions& options) {
         options.record);
     return false;
   }
-  for (const auto& [option, file] :
-       {std::pair("--report", options.report), std::pair("--record", options.record)}) {
-    const std::string why = file.empty() ? "" : why_not_writable(file);
-    if (why.empty()) continue;
-    fmt::print(stderr, "mlab replay: {} {}: the file can't be written: {}\n", option, file, why);
-    return false;
-  }
-  return true;
+  const std::string problem = problem_with_outputs(
+      {{"--report", options.report}, {"--record", options.record}}, {{"recording", options.recording}});
+  if (!problem.empty()) fmt::print(stderr, "mlab replay: {}\n", problem);
+  return problem.empty();
 }
 
 }  // namespace
