@@ -25,7 +25,7 @@ constexpr const char* kCheck = "crc";
 
 // What a line ends with: the last member of its object, of all that is before it.
 std::string check_of(std::string_view before) {
-  return fmt::format(",\"{}\":\"{:08x}\"}}", kCheck, mcap::crc32(std::as_bytes(std::span(before))));
+  return fmt::format(R"(,"{}":"{:08x}"}})", kCheck, mcap::crc32(std::as_bytes(std::span(before))));
 }
 
 std::string line_of(const Json& json) {
@@ -39,8 +39,9 @@ Json json_in(std::string_view line) {
   Json out = Json::parse(line, nullptr, false);
   if (!out.is_object() || !out.contains(kCheck)) return out;
   const std::size_t size = check_of("").size();
-  if (line.size() > size && line.ends_with(check_of(line.substr(0, line.size() - size)))) return out;
-  return Json(Json::value_t::discarded);
+  const bool fits = line.size() > size && line.ends_with(check_of(line.substr(0, line.size() - size)));
+  if (!fits) out = Json::value_t::discarded;
+  return out;
 }
 
 Json row_json(const Row& row) {
