@@ -119,6 +119,20 @@ class Batches(unittest.TestCase):
             mlab.batch(PATROL, 50, page="/no/such/folder/page.html", progress=lambda *of: told.append(of))
         self.assertEqual(told, [])
 
+    def test_a_page_is_named_as_for_the_command(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.txt", "a.HTML", "a", ".html", "-"):
+                page = os.path.join(folder, name)
+                with self.assertRaises(mlab.Error) as told:
+                    mlab.batch(PATROL, 1, page=page)
+                self.assertEqual(str(told.exception), f"page {page}: expected FILE.html")
+                by_command = subprocess.run(
+                    [os.environ["MLAB_COMMAND"], "batch", PATROL, "--runs", "1", "--html", page], capture_output=True, text=True
+                )
+                self.assertIn("expected FILE.html", by_command.stderr)
+                self.assertEqual(by_command.returncode, 2)
+            self.assertEqual(os.listdir(folder), [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -12,6 +12,7 @@ const panels = [
   "Selection",
   "Teleoperation",
   "Failsafes",
+  "Breakpoints",
   "View",
   "Log",
   "Text",

@@ -2,7 +2,7 @@
 import type { Locator, Page } from "playwright-core";
 import { expect } from "vitest";
 
-const kRails: Record<string, string> = { Teleoperation: "Steer" };
+const kRails: Record<string, string> = { Teleoperation: "Steer", Breakpoints: "Breaks" };
 
 export class Console {
   /** What the page threw or complained of. */

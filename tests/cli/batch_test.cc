@@ -307,6 +307,8 @@ TEST_F(Batches, RefuseWhatTheyCanNotDo) {
   EXPECT_TRUE(has(told("missing.mdl"), "missing.mdl"));
   EXPECT_TRUE(has(told("m.mdl --table m.mdl"), "that is the mission itself, which would be overwritten"));
   EXPECT_TRUE(has(told("m.mdl --table x.json --results x.json"), "another file goes there as well"));
+  EXPECT_TRUE(
+      has(told("m.mdl --table x.json --results ./x.json"), "./x.json: another file goes there as well"));
   EXPECT_TRUE(has(told("m.mdl --table x.txt"), "--table x.txt: expected FILE.csv or FILE.json"));
   EXPECT_TRUE(
       has(told("m.mdl --table -"), "--table -: expected FILE.csv or FILE.json; it is written to a file"));
@@ -314,7 +316,15 @@ TEST_F(Batches, RefuseWhatTheyCanNotDo) {
   EXPECT_TRUE(has(told("m.mdl --table x.csv --resume --merge"), "expected one of them"));
   EXPECT_TRUE(has(told("m.mdl --set seed=7,8"), "`seed` can't be set: the table has a column of this name"));
   EXPECT_TRUE(has(told("m.mdl --set duration_s=7"), "`duration_s` can't be set"));
-  EXPECT_TRUE(has(told("m.mdl --table none/x.csv"), "the file can't be written"));
+  EXPECT_TRUE(has(told("m.mdl --table none/x.csv"),
+                  "none/x.csv: the file can't be written: there is no folder `none`"));
+  EXPECT_TRUE(has(told("m.mdl --html m.mdl/x.html"), "the file can't be written: `m.mdl` is no folder"));
+  fs::create_directory(folder_ / "folder.csv");
+  EXPECT_TRUE(has(told("m.mdl --table folder.csv"), "the file can't be written: it is a folder"));
+  const std::string long_name(300, 'x');
+  EXPECT_TRUE(has(told("m.mdl --table " + long_name + ".csv"), "File name too long"));
+  fs::create_symlink("none/later.csv", folder_ / "linked.csv");
+  EXPECT_TRUE(has(told("m.mdl --table linked.csv"), "there is no folder `none`"));
   EXPECT_TRUE(has(told("m.mdl --resume"), "which batch?"));
   EXPECT_TRUE(has(told("m.mdl --runs 0"), "expected a whole number from 1"));
   EXPECT_TRUE(has(told("m.mdl --set base_velocity=2,fast"), "fast"));

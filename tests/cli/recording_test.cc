@@ -129,7 +129,32 @@ TEST_F(RecordingCommand, CanNotBeMadeWhereThereIsNoFolder) {
   const Outcome again = mlab("replay run.mcap --headless --record nowhere/again.mcap");
   EXPECT_EQ(again.status, 2);
   EXPECT_EQ(again.out, "");
-  EXPECT_TRUE(has(again.err, "--record nowhere/again.mcap: the file can't be written")) << again.err;
+  EXPECT_TRUE(
+      has(again.err, "--record nowhere/again.mcap: the file can't be written: there is no folder `nowhere`"))
+      << again.err;
+}
+
+TEST_F(RecordingCommand, AreNotWrittenOverByWhatIsMadeOfThem) {
+  record();
+  const std::string before = text_of(folder_ / "run.mcap");
+  fs::create_symlink("run.mcap", folder_ / "linked.json");
+  for (const char* arguments :
+       {"replay run.mcap --headless --report run.mcap", "replay run.mcap --headless --report linked.json",
+        "compare run.mcap run.mcap --html ./run.mcap"}) {
+    const Outcome out = mlab(arguments);
+    EXPECT_EQ(out.status, 2) << arguments;
+    EXPECT_TRUE(has(out.err, "recording itself, which would be overwritten")) << out.err;
+    EXPECT_EQ(text_of(folder_ / "run.mcap"), before) << arguments;
+  }
+  for (const std::string& arguments :
+       {std::string("replay run.mcap --headless --report new --record ./new"),
+        std::string("run mission.mdl --headless --report new --record new"),
+        "run mission.mdl --headless --save-percepts new --plot ../" + folder_.filename().string() + "/new"}) {
+    const Outcome out = mlab(arguments);
+    EXPECT_EQ(out.status, 2) << arguments;
+    EXPECT_TRUE(has(out.err, "another file goes there as well")) << out.err;
+    EXPECT_FALSE(fs::exists(folder_ / "new"));
+  }
 }
 
 TEST_F(RecordingCommand, AreNeverWrittenOver) {

@@ -175,6 +175,16 @@ TEST_F(Command, WhatNewMakesIsInTheCanonicalLayoutAndRuns) {
   }
 }
 
+TEST_F(Command, WritesThroughALinkToWhatIsNotThereYet) {
+  write("map.odl", kMap);
+  write("m.mdl", kMission);
+  fs::create_symlink("later.csv", folder_ / "linked.csv");
+  const Outcome out = mlab("batch m.mdl --runs 1 --table linked.csv");
+  EXPECT_EQ(out.status, 0) << out.err;
+  EXPECT_TRUE(fs::is_symlink(folder_ / "linked.csv"));
+  EXPECT_TRUE(has(text_of(folder_ / "later.csv"), "done"));
+}
+
 TEST_F(Command, FmtWritesThroughALinkAndKeepsTheModeOfTheFile) {
   write("kept.cdl", "assemblage   A() {\n Noise();\n}\n");
   const fs::perms shared = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_write;

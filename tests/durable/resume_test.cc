@@ -248,6 +248,8 @@ TEST_F(Resumed, PeopleSpeedAndBreakpointsAreAsTheyWereAndAnEditIsFollowed) {
     breakpoint.mutable_transition()->set_sequence("no_such");
     const auto set = anna.ask(stop);
     ASSERT_TRUE(set && set->ok()) << set->error();
+    breakpoint.set_sentence("robot 1 nearer than 2 m to PP-Nowhere");
+    ASSERT_TRUE(anna.ask(stop));
     server.kill();
   }
   write("far.odl", std::string(kWideMap) + "PP Extra 500 500\n");
@@ -258,7 +260,10 @@ TEST_F(Resumed, PeopleSpeedAndBreakpointsAreAsTheyWereAndAnEditIsFollowed) {
   EXPECT_EQ(anna.id(), 1U) << "she is who she was";
   EXPECT_EQ(anna.clients().operator_(), 1U);
   EXPECT_DOUBLE_EQ(anna.status().speed(), 7.0);
-  EXPECT_EQ(anna.breakpoints().breakpoints_size(), 1);
+  ASSERT_EQ(anna.breakpoints().breakpoints_size(), 2);
+  EXPECT_EQ(anna.breakpoints().breakpoints(1).sentence(), "robot 1 nearer than 2 m to PP-Nowhere");
+  EXPECT_TRUE(anna.wait(
+      [&] { return anna.breakpoints().breakpoints(1).error() == "the map has no place `PP-Nowhere`"; }));
   EXPECT_TRUE(anna.wait([&] { return anna.has_log("the mission was changed meanwhile"); }));
   const auto typed = anna.type("UNIT pair MOVETO PP-Extra");
   ASSERT_TRUE(typed);

@@ -111,6 +111,7 @@ const WebArrows& web_arrows() {
       // The operator console: what every panel may ask, panels, what shows them.
       {"console/session", {"core/map", "ui/commands"}},
       {"console/time", {"console/session", "ui/time"}},
+      {"console/breakpoints", {"console/time"}},
       {"console/map_editing", {"console/session"}},
       {"console/command", {"console/map_editing", "ui/text"}},
       {"console/overlay", {"console/map_editing"}},
@@ -133,9 +134,9 @@ const WebArrows& web_arrows() {
       {"console/start", {"console/session", "ui/files"}},
       {"console/teleoperation", {"console/session"}},
       {"console/extensions",
-       {"console/command", "console/editor", "console/failsafes", "console/log", "console/machines",
-        "console/measuring", "console/mission", "console/overlay", "console/plots", "console/robots",
-        "console/selection", "console/settings", "console/teleoperation", "console/world"}},
+       {"console/breakpoints", "console/command", "console/editor", "console/failsafes", "console/log",
+        "console/machines", "console/measuring", "console/mission", "console/overlay", "console/plots",
+        "console/robots", "console/selection", "console/settings", "console/teleoperation", "console/world"}},
       {"console/actions", {"console/extensions", "console/time"}},
       {"console/shell", {"console/actions", "console/clients", "console/start"}},
       {"console/styles", {}},
@@ -169,7 +170,7 @@ const WebArrows& web_arrows() {
         "designer/styles", "ui/styles"}},
 
       // The page of `mlab edit`: the only one that knows both.
-      {"edit/run", {"console/session", "designer/running", "designer/sight"}},
+      {"edit/run", {"console/breakpoints", "designer/running", "designer/sight"}},
       {"edit/tests", {"edit/run"}},
       {"edit/panes", {"console/selection", "designer/details", "edit/run"}},
       {"edit", {"designer", "edit/panes", "edit/tests"}},

@@ -1,12 +1,9 @@
 #include "mlab/cli/batch_outputs.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include <fmt/core.h>
 
@@ -47,7 +44,6 @@ bool deliver_file(const char* what, const std::string& file, const std::string& 
 // The ending of its name says what is written; a dash is no file.
 bool is_well_named(std::string_view option, const std::string& file) {
   const bool is_page = option == "--html";
-  if (!is_page && option != "--table") return true;
   const std::string ending = fs::path(file).extension().string();
   if (is_page ? ending == ".html" || ending == ".htm" : ending == ".csv" || ending == ".json") return true;
   wrong_batch_usage(fmt::format("{} {}: expected {}{}", option, text::shown(file),
@@ -66,34 +62,18 @@ int wrong_batch_usage(const std::string& message) {
 // What is written can be, and is nothing that is read.
 bool outputs_are_usable(const study::Definition& definition, const std::string& study_file,
                         const std::string& results) {
-  const std::pair<const char*, std::string> outputs[] = {
-      {"--table", definition.table}, {"--html", definition.page}, {"--results", results}};
-  const std::pair<const char*, std::string> inputs[] = {
-      {"mission", definition.mission.text},
-      {"mission of --against", definition.against.text},
-      {"file of --environment", definition.environment.text},
-      {"definition", study_file}};
-  std::vector<std::string> seen;
-  for (const auto& [option, file] : outputs) {
-    if (file.empty()) continue;
-    for (const auto& [what, input] : inputs) {
-      std::error_code unreadable;
-      if (input.empty() || !fs::equivalent(file, input, unreadable)) continue;
-      wrong_batch_usage(
-          fmt::format("{} {}: that is the {} itself, which would be overwritten", option, file, what));
-      return false;
-    }
-    if (!is_well_named(option, file)) return false;
-    if (std::ranges::find(seen, file) != seen.end()) {
-      wrong_batch_usage(fmt::format("{} {}: another file goes there as well", option, file));
-      return false;
-    }
-    if (!is_writable(file)) {
-      wrong_batch_usage(fmt::format("{} {}: the file can't be written", option, file));
-      return false;
-    }
-    seen.push_back(file);
+  const std::string problem = problem_with_outputs(
+      {{"--table", definition.table}, {"--html", definition.page}, {"--results", results}},
+      {{"mission", definition.mission.text},
+       {"mission of --against", definition.against.text},
+       {"file of --environment", definition.environment.text},
+       {"definition", study_file}});
+  if (!problem.empty()) {
+    wrong_batch_usage(problem);
+    return false;
   }
+  if (!definition.table.empty() && !is_well_named("--table", definition.table)) return false;
+  if (!definition.page.empty() && !is_well_named("--html", definition.page)) return false;
   const std::string recordings = recordings_of(definition);
   std::error_code failure;
   if (recordings.empty() || !fs::exists(fs::symlink_status(recordings, failure)) ||

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
@@ -10,8 +11,11 @@
 #include <fstream>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "mlab/cli/clock.h"
 #include "mlab/cli/version.h"
+#include "mlab/text/shown.h"
 
 namespace mlab::cli {
 namespace fs = std::filesystem;
@@ -74,6 +78,26 @@ bool write_stream(const std::string& path, const std::string& text, const std::f
   return is_written && is_closed;
 }
 
+// Where links lead, also to what is not there yet.
+fs::path target_of(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  fs::path out = path;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(out, error); ++i)
+    out = out.parent_path() / fs::read_symlink(out, error);
+  return out;
+}
+
+// Also of what is not there yet.
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const auto whole = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(target_of(path), error), error);
+  };
+  return !whole(a).empty() && whole(a) == whole(b);
+}
+
 }  // namespace
 
 std::string environment_variable(const char* name) {
@@ -117,11 +141,39 @@ std::string state_folder() {
   return (folder / "mlab").string();
 }
 
-bool is_writable(const std::string& path) {
+std::string why_not_writable(const std::string& path) {
+  const auto reason = [](int error) { return std::generic_category().message(error); };
+  const fs::path target = target_of(path);
   std::error_code error;
-  if (fs::exists(path, error)) return !fs::is_directory(path, error) && ::access(path.c_str(), W_OK) == 0;
-  const fs::path folder = fs::path(path).parent_path();
-  return ::access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
+  if (fs::is_directory(target, error)) return "it is a folder";
+  if (fs::exists(target, error)) return ::access(target.c_str(), W_OK) == 0 ? "" : reason(errno);
+  if (error) return error.message();
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const std::string name = text::shown(folder.string(), 200);
+  if (!fs::exists(folder, error))
+    return error ? error.message() : fmt::format("there is no folder `{}`", name);
+  if (!fs::is_directory(folder, error)) return fmt::format("`{}` is no folder", name);
+  if (!target.has_filename()) return "it names a folder";
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return "";
+  return fmt::format("no file can be made in the folder `{}`: {}", name, reason(errno));
+}
+
+std::string problem_with_outputs(const std::vector<NamedFile>& outputs,
+                                 const std::vector<NamedFile>& inputs) {
+  for (auto one = outputs.begin(); one != outputs.end(); ++one) {
+    const auto is_same = [&](const NamedFile& other) {
+      return !other.file.empty() && is_same_file(one->file, other.file);
+    };
+    if (one->file.empty()) continue;
+    if (const auto read = std::ranges::find_if(inputs, is_same); read != inputs.end())
+      return fmt::format("{} {}: that is the {} itself, which would be overwritten", one->name, one->file,
+                         read->name);
+    if (std::any_of(outputs.begin(), one, is_same))
+      return fmt::format("{} {}: another file goes there as well", one->name, one->file);
+    if (const std::string why = why_not_writable(one->file); !why.empty())
+      return fmt::format("{} {}: the file can't be written: {}", one->name, one->file, why);
+  }
+  return "";
 }
 
 bool write_file(const std::string& path, const std::string& text, const std::function<bool()>& gives_up) {
@@ -129,7 +181,7 @@ bool write_file(const std::string& path, const std::string& text, const std::fun
   errno = 0;
   if (fs::exists(path, error) && !fs::is_regular_file(path, error))  // /dev/stdout, a pipe
     return write_stream(path, text, gives_up);
-  const fs::path target = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
+  const fs::path target = target_of(path);
   const fs::path fresh = target.string() + ".new";
   {
     std::ofstream file(fresh, std::ios::binary | std::ios::trunc);

@@ -27,8 +27,16 @@ robot::ProgramSources program_sources(const std::string& folder, const cell::Per
 /// where there is no such place.
 std::string state_folder();
 
-/// True where the file exists and may be written, or could be made.
-bool is_writable(const std::string& path);
+/// A file by what names it: an option, or what it is to a command.
+struct NamedFile {
+  const char* name;
+  std::string file;  ///< empty: there is none
+};
+/// Why these can't be written, as a sentence about the first of which that is so: it is read as well, another
+/// one goes to the same place, by whatever name, or no file can be written there. Empty: they can.
+std::string problem_with_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
+/// Why the file can't be written, or made where it is not there: `there is no folder `out``. Empty: it can.
+std::string why_not_writable(const std::string& path);
 /// Writes the whole file, or leaves what was there: the text goes to a new file beside it, which then takes
 /// its name. What is no file, as a pipe, is written as it is; whoever reads it is waited for.
 /// @param gives_up  once it is true, who reads a pipe is waited for a second longer, no more

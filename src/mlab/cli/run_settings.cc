@@ -42,21 +42,15 @@ std::optional<double> speed_of(const std::string& text, double default_speed) {
 
 // The files that the run leaves behind can be written, and nothing that it reads is among them.
 bool outputs_are_usable(const RunOptions& options) {
-  for (const auto& [option, file] :
-       {std::pair("--report", options.report), std::pair("--plot", options.plot),
-        std::pair("--save-percepts", options.save_percepts), std::pair("--record", options.record)}) {
-    if (file.empty()) continue;
-    for (const auto& [what, input] :
-         {std::pair("mission", options.mission), std::pair("file of --environment", options.environment),
-          std::pair("file of --percepts", options.percepts)}) {
-      std::error_code unreadable;
-      if (input.empty() || !std::filesystem::equivalent(file, input, unreadable)) continue;
-      usage_error(
-          fmt::format("{} {}: that is the {} itself, which would be overwritten", option, file, what));
-      return false;
-    }
-    if (is_writable(file)) continue;
-    usage_error(fmt::format("{} {}: the file can't be written", option, file));
+  const std::string problem = problem_with_outputs({{"--report", options.report},
+                                                    {"--plot", options.plot},
+                                                    {"--save-percepts", options.save_percepts},
+                                                    {"--record", options.record}},
+                                                   {{"mission", options.mission},
+                                                    {"file of --environment", options.environment},
+                                                    {"file of --percepts", options.percepts}});
+  if (!problem.empty()) {
+    usage_error(problem);
     return false;
   }
   std::error_code unknown;
@@ -69,9 +63,7 @@ bool outputs_are_usable(const RunOptions& options) {
     usage_error("--record and --percepts: what comes out of a file is not recorded once more");
     return false;
   }
-  if (options.report.empty() || options.report != options.plot) return true;
-  usage_error(fmt::format("--report and --plot both name {}", options.report));
-  return false;
+  return true;
 }
 
 // As others in the fleet know it.

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "mlab/mcap/encode.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::study {
@@ -18,9 +21,27 @@ constexpr int kFormat = 1;
 constexpr const char* kMark = "mlab_batch";
 constexpr const char* kEnd = "is_over";
 constexpr const char* kRecording = "recording";
+constexpr const char* kCheck = "crc";
+
+// What a line ends with: the last member of its object, of all that is before it.
+std::string check_of(std::string_view before) {
+  return fmt::format(R"(,"{}":"{:08x}"}})", kCheck, mcap::crc32(std::as_bytes(std::span(before))));
+}
 
 std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string out = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  out.pop_back();
+  return out + check_of(out) + "\n";
+}
+
+// Nothing that counts where the line is not as it was written.
+Json json_in(std::string_view line) {
+  Json out = Json::parse(line, nullptr, false);
+  if (!out.is_object() || !out.contains(kCheck)) return out;
+  const std::size_t size = check_of("").size();
+  const bool fits = line.size() > size && line.ends_with(check_of(line.substr(0, line.size() - size)));
+  if (!fits) out = Json::value_t::discarded;
+  return out;
 }
 
 Json row_json(const Row& row) {
@@ -104,7 +125,7 @@ std::string end_line() {
 }
 
 std::optional<Identity> header_in(std::string_view line) {
-  const Json json = Json::parse(line, nullptr, false);
+  const Json json = json_in(line);
   if (!json.is_object() || !json.contains(kMark) || json[kMark] != kFormat || !json.contains("batch") ||
       !json["batch"].is_object())
     return std::nullopt;
@@ -152,7 +173,7 @@ std::expected<Contents, std::string> understand(std::string_view all) {
             "are; it is left alone: to begin anew move it away, or name another file by --results");
       out.header = std::move(*header);
     } else if (end != std::string_view::npos) {
-      const Json json = Json::parse(text, nullptr, false);
+      const Json json = json_in(text);
       if (json.is_object() && json.contains(kEnd)) {
         out.is_over = true;
       } else if (auto row = row_in(json)) {
@@ -171,8 +192,7 @@ std::vector<Row> rows_in(std::string_view lines, std::size_t& size) {
   std::vector<Row> out;
   size = 0;
   for (std::size_t end = lines.find('\n'); end != std::string_view::npos; end = lines.find('\n', size)) {
-    if (auto row = row_in(Json::parse(lines.substr(size, end - size), nullptr, false)))
-      out.push_back(std::move(*row));
+    if (auto row = row_in(json_in(lines.substr(size, end - size)))) out.push_back(std::move(*row));
     size = end + 1;
   }
   return out;
@@ -181,7 +201,7 @@ std::vector<Row> rows_in(std::string_view lines, std::size_t& size) {
 std::map<RunKey, std::string> recordings_in(std::string_view lines) {
   std::map<RunKey, std::string> out;
   for (std::size_t end = lines.find('\n'); end != std::string_view::npos; end = lines.find('\n')) {
-    if (auto one = recording_in(Json::parse(lines.substr(0, end), nullptr, false)))
+    if (auto one = recording_in(json_in(lines.substr(0, end))))
       out.insert_or_assign(one->first, std::move(one->second));
     lines.remove_prefix(end + 1);
   }

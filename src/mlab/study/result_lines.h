@@ -11,7 +11,8 @@
 
 #include "mlab/study/row.h"
 
-// The files in which a batch keeps what is done: a line of JSON each.
+// The files in which a batch keeps what is done: a line of JSON each, which ends with a checksum of the rest
+// of it. Lines without one are of earlier versions, and count as they are.
 namespace mlab::study {
 
 /// What a batch is, in words by name: two batches are the same where all of them are equal.
@@ -40,7 +41,7 @@ struct Contents {
   std::vector<Row> rows;
   bool is_over = false;
   std::size_t size = 0;           ///< of whole lines
-  std::size_t damaged = 0;        ///< lines that say nothing, after a power failure, say
+  std::size_t damaged = 0;        ///< lines that say nothing, or not what was written
   std::size_t first_damaged = 0;  ///< its line, from 1
 };
 /// @errors  a sentence about the file: its first line is none of ours

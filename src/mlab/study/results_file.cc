@@ -29,22 +29,27 @@ bool is_unbegun(std::string_view all, const Identity& identity) {
   return all.find('\n') == std::string_view::npos && header_line(identity).starts_with(all.substr(0, 12));
 }
 
-// The part of each process that did some of this batch.
-std::expected<std::vector<Row>, std::string> parts_of(const std::string& path, const Identity& identity,
-                                                      bool resumes) {
-  std::vector<Row> out;
+/// What processes did that had a part in this batch.
+struct Parts {
+  std::vector<Row> rows;
+  std::vector<std::string> damage;
+};
+std::expected<Parts, std::string> parts_of(const std::string& path, const Identity& identity, bool resumes) {
+  Parts out;
   for (const std::string& name : rank_files(path)) {
     const auto file = LockedFile::open_existing(name);
     if (!file) continue;
     if (!file->lock()) return std::unexpected(kResultsInUse);
-    const auto all = file->read();
-    auto contents = understand(all.value_or(""));
-    if (!contents) continue;  // it has no whole line yet
+    const std::string all = file->read().value_or("");
+    if (all.find('\n') == std::string::npos) continue;  // it has no whole line yet
+    auto contents = understand(all);
+    if (std::string what = damage_of(name, contents); !what.empty()) out.damage.push_back(std::move(what));
+    if (!contents) continue;
     if (resumes) {
       if (std::string what = difference(contents->header, identity); !what.empty() && !contents->rows.empty())
         return std::unexpected(std::move(what));
     }
-    std::ranges::move(contents->rows, std::back_inserter(out));
+    std::ranges::move(contents->rows, std::back_inserter(out.rows));
   }
   return out;
 }
@@ -93,27 +98,16 @@ std::map<RunKey, std::string> kept_recordings(const std::string& path) {
   return out;
 }
 
-std::vector<std::string> damage_in(const std::string& path) {
-  std::vector<std::string> out;
-  std::vector<std::string> files = rank_files(path);
-  files.insert(files.begin(), path);
-  for (const std::string& name : files) {
-    const auto file = LockedFile::open_existing(name);
-    const std::string all = file ? file->read().value_or("") : "";
-    if (all.find('\n') == std::string::npos) continue;
-    const auto contents = understand(all);
-    if (!contents)
-      out.push_back(
-          fmt::format("{}: line 1 can't be read, by which it is known of which batch it is: the runs "
-                      "in it are done again",
-                      name));
-    else if (contents->damaged > 0)
-      out.push_back(fmt::format("{}: {} can't be read{} line {}: what stood there is done again", name,
-                                base::counted(contents->damaged, "line"),
-                                contents->damaged == 1 ? ":" : ", the first of them",
-                                contents->first_damaged));
-  }
-  return out;
+std::string damage_of(const std::string& path, const std::expected<Contents, std::string>& contents) {
+  if (!contents)
+    return fmt::format(
+        "{}: line 1 can't be read, by which it is known of which batch it is: the runs in it are "
+        "done again",
+        path);
+  if (contents->damaged == 0) return "";
+  return fmt::format("{}: {} can't be read{} line {}: what stood there is done again", path,
+                     base::counted(contents->damaged, "line"),
+                     contents->damaged == 1 ? ":" : ", the first of them", contents->first_damaged);
 }
 
 std::map<RunKey, std::string> ResultsFile::recordings() const {
@@ -162,7 +156,7 @@ std::expected<ResultsFile::Opened, std::string> ResultsFile::open(const std::str
   auto contents = understand(*all);
   if (is_unbegun(*all, identity)) contents = Contents{};
   if (!contents) return std::unexpected(std::move(contents.error()));
-  const std::size_t runs = contents->rows.size() + parts->size();
+  const std::size_t runs = contents->rows.size() + parts->rows.size();
   if (!resumes && runs > 0) return std::unexpected(refusal(runs));
   // It was begun and has nothing, perhaps for another batch; or others have done all that was to be done.
   if (runs == 0 || contents->is_over || !resumes) contents->size = 0;
@@ -177,8 +171,11 @@ std::expected<ResultsFile::Opened, std::string> ResultsFile::open(const std::str
   if (!file->cut(contents->size) || (contents->size == 0 && !file->append(header_line(identity))))
     return std::unexpected(system_error("written"));
   Opened out;
+  if (std::string what = damage_of(path, contents); contents->size > 0 && !what.empty())
+    out.damage.push_back(std::move(what));
+  std::ranges::move(parts->damage, std::back_inserter(out.damage));
   out.rows = std::move(contents->rows);
-  std::ranges::move(*parts, std::back_inserter(out.rows));
+  std::ranges::move(parts->rows, std::back_inserter(out.rows));
   out.file.reset(new ResultsFile(path, std::move(*file)));
   return out;
 }

@@ -71,15 +71,17 @@ class ResultsFile final : public Keeper {
 
 struct ResultsFile::Opened {
   std::unique_ptr<ResultsFile> file;
-  std::vector<Row> rows;  ///< that it has already, in no order
+  std::vector<Row> rows;            ///< that it has already, in no order
+  std::vector<std::string> damage;  ///< what can't be read in it, and in those beside it: a sentence for each
 };
 
 /// Files beside that of the batch in which single processes keep their part: `out.csv.runs.rank-2`.
 std::string rank_file(const std::string& path, std::uint32_t number);
 std::vector<std::string> rank_files(const std::string& path);
 void remove_rank_files(const std::string& path);
-/// What can't be read in the file of a batch, and in those beside it; a sentence for each file.
-std::vector<std::string> damage_in(const std::string& path);
+/// What can't be read in a file of a batch, as a sentence; empty: all of it can.
+/// @param contents  what was understood of it
+std::string damage_of(const std::string& path, const std::expected<Contents, std::string>& contents);
 /// What stands of recordings in the file of a batch, and in those beside it.
 std::map<RunKey, std::string> kept_recordings(const std::string& path);
 

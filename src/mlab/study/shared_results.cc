@@ -30,6 +30,7 @@ bool lock_for_a_moment(const LockedFile& file) {
 struct Found {
   std::size_t runs = 0;
   bool is_in_use = false;
+  std::vector<std::string> damage;
 };
 Found look_at(const std::string& path) {
   Found out;
@@ -37,8 +38,12 @@ Found look_at(const std::string& path) {
     const auto file = LockedFile::open_existing(name);
     if (!file) continue;
     if (!file->lock()) out.is_in_use = true;
+    const std::string all = file->read().value_or("");
+    if (all.find('\n') == std::string::npos) continue;  // it has no whole line yet
+    const auto contents = understand(all);
     std::size_t size = 0;
-    out.runs += rows_in(file->read().value_or(""), size).size();
+    out.runs += contents ? contents->rows.size() : rows_in(all, size).size();
+    if (std::string what = damage_of(name, contents); !what.empty()) out.damage.push_back(std::move(what));
   }
   return out;
 }
@@ -115,20 +120,27 @@ std::expected<SharedResults::Joined, std::string> SharedResults::join_at_once(co
   if (is_unbegun) contents = Contents{};
   if (!contents) return std::unexpected(std::move(contents.error()));
   const std::string own = rank_file(path, share.number);
-  const auto entry = entry_of(*contents, look_at(path), identity, share, resumes);
+  Found found = look_at(path);
+  const auto entry = entry_of(*contents, found, identity, share, resumes);
   if (!entry) return std::unexpected(entry.error());
   Joined out;
   Identity header = with_clock(*entry == Entry::kBegins ? now : word_in(contents->header, kClock), identity);
   out.start_time = word_in(header, kClock);
   if (*entry == Entry::kIsLate) return out;
   if (*entry == Entry::kBegins) {
-    if (!resumes) remove_rank_files(path);
+    if (!resumes) {
+      remove_rank_files(path);
+      found.damage.clear();
+    }
     header.emplace_back(kJob, share.job);
     if (!all->cut(0) || !all->append(header_line(header))) return std::unexpected(system_error("written"));
     contents->size = all->size().value_or(0);
   } else if (!all->cut(contents->size)) {
     return std::unexpected(system_error("written"));
+  } else if (std::string what = damage_of(path, contents); !what.empty()) {
+    out.damage.push_back(std::move(what));
   }
+  std::ranges::move(found.damage, std::back_inserter(out.damage));
   auto file = LockedFile::open(own, "begun beside it");
   if (!file) return std::unexpected(file.error());
   if (!file->lock()) return std::unexpected(kResultsInUse);
@@ -149,6 +161,8 @@ std::optional<std::string> SharedResults::begin(const Identity& identity) {
   const std::string text = file_.read().value_or("");
   std::size_t size = 0;
   rows_in(text, size);
+  if (size > 0 && !header_in(text.substr(0, text.find('\n'))))
+    return fmt::format("needs {}, and that {}", own_, understand(text).error());
   if (!file_.cut(size) || (size == 0 && !file_.append(header_line(identity)))) return system_error("written");
   return std::nullopt;
 }
@@ -179,8 +193,10 @@ std::vector<Row> SharedResults::news() {
     if (name == own_ && seen > 0) continue;  // of an earlier life: all else was done here
     const auto file = LockedFile::open_existing(name);
     if (!file || file->size().value_or(0) <= seen) continue;
+    const std::string lines = file->read(seen).value_or("");
+    if (seen == 0 && !header_in(lines.substr(0, lines.find('\n')))) continue;  // nobody knows of which batch
     std::size_t size = 0;
-    std::ranges::move(rows_in(file->read(seen).value_or(""), size), std::back_inserter(out));
+    std::ranges::move(rows_in(lines, size), std::back_inserter(out));
     seen += size;
   }
   return out;

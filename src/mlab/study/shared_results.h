@@ -72,6 +72,7 @@ class SharedResults final : public Keeper {
 struct SharedResults::Joined {
   std::unique_ptr<SharedResults> results;  ///< null: the batch is over
   std::string start_time;                  ///< of all of them
+  std::vector<std::string> damage;         ///< as ResultsFile::Opened
 };
 
 }  // namespace mlab::study

@@ -74,6 +74,34 @@ TEST_F(SharedFiles, HaveOneClockAndTellOthersWhatWasDone) {
   EXPECT_NE(join(2, "b")->results, nullptr) << "another start of the same batch";
 }
 
+TEST_F(SharedFiles, TellWhatCantBeReadAndLeaveItOut) {
+  {
+    const auto first = join(0);
+    ASSERT_TRUE(first) << first.error();
+    EXPECT_EQ(first->results->begin(whole("now 0")), std::nullopt);
+    ASSERT_TRUE(first->results->append(row_of(3)));
+  }
+  const std::string row = row_line(row_of(4));
+  std::ofstream(rank_file(path_, 0), std::ios::app) << row.substr(0, row.size() - 4) << "x\"}\n";
+  std::ofstream(rank_file(path_, 1)) << "{\"mlab_b\n" << row_line(row_of(5));
+  const auto third = join(2, "a", true);
+  ASSERT_TRUE(third) << third.error();
+  EXPECT_EQ(
+      third->damage,
+      (std::vector<std::string>{
+          rank_file(path_, 0) + ": 1 line can't be read: line 3: what stood there is done again",
+          rank_file(path_, 1) + ": line 1 can't be read, by which it is known of which batch it is: the "
+                                "runs in it are done again"}));
+  EXPECT_EQ(third->results->begin(whole("now 0")), std::nullopt);
+  const std::vector<Row> news = third->results->news();
+  ASSERT_EQ(news.size(), 1U);
+  EXPECT_EQ(news[0].key.run, 3U);
+  auto second = join(1, "a", true);
+  ASSERT_TRUE(second) << second.error();
+  const std::string why = second->results->begin(whole("now 0")).value_or("");
+  EXPECT_NE(why.find(".rank-1, and that is no file of a batch's results"), std::string::npos) << why;
+}
+
 TEST_F(SharedFiles, RefuseThoseThatReadOtherTexts) {
   auto first = join(0);
   auto second = join(1);

@@ -67,6 +67,34 @@ test("a run pauses when a condition within a trigger becomes true", async () => 
     .waitFor();
 });
 
+test("a run pauses when a sentence becomes true, and what is not understood is told at its field", async () => {
+  const { designer } = await opened(kTurns);
+  const { page } = designer;
+  await designer.on("Turns");
+  await designer.run();
+  const field = designer.breakpoints.getByRole("combobox", { name: "Pause when" });
+  await field.fill("robot three in contact");
+  await field.press("Enter");
+  await designer.breakpoints
+    .getByRole("alert")
+    .filter({ hasText: /a robot.s number, but saw .three/ })
+    .waitFor();
+  await field.fill("any robot in");
+  await page.getByRole("option", { name: /^any robot in contact/ }).waitFor();
+  await field.fill("any robot in state Moving");
+  expect(await designer.breakpoints.getByRole("alert").count()).toBe(0);
+  await field.press("Enter");
+  await designer.simulator
+    .getByRole("alert")
+    .getByText(/came into state Moving/)
+    .waitFor();
+  await page.reload();
+  await designer.on("Turns");
+  await designer.breakpoints.getByText("any robot in state Moving", { exact: true }).waitFor();
+  await designer.breakpoints.getByRole("button", { name: "Remove the breakpoint any robot in state Moving" }).click();
+  await designer.breakpoints.getByText(/^None\./).waitFor();
+});
+
 test("probes are there after a reload and in every window", async () => {
   const { designer, mlab } = await opened(kTurns);
   await designer.on("Turns");

@@ -1,5 +1,6 @@
 // Everything that stands in the shell, in the order of its buttons.
 import { lazy } from "react";
+import { BreakpointsPanel, useBreakpointsBadge } from "../breakpoints/breakpoints_panel.tsx";
 import { CommandTool } from "../command/command_tool.ts";
 import { CommandOptions } from "../command/order_window.tsx";
 import { nameActions } from "../editor/names.ts";
@@ -61,6 +62,15 @@ export const panels: readonly Panel[] = [
     component: MachinesPanel,
     useBadge: useMachinesBadge,
     useIsThere: useHasMachines,
+  },
+  {
+    id: "breakpoints",
+    title: "Breakpoints",
+    short: "Breaks",
+    icon: "breakpoint",
+    component: BreakpointsPanel,
+    dock: "right",
+    useBadge: useBreakpointsBadge,
   },
   { id: "view", title: "View", icon: "layers", component: ViewPanel, dock: "right", shortcut: "7" },
   { id: "log", title: "Log", icon: "log", component: LogPanel, dock: "bottom", shortcut: "8" },

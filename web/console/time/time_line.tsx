@@ -1,6 +1,6 @@
 // The time line of the session, where there is one: once the run has begun, or a recording was opened.
 import { useMemo } from "react";
-import { exampleConditions, neighbourMoment } from "../../core/moment_finder.ts";
+import { neighbourMoment } from "../../core/moment_finder.ts";
 import { Status_Mode } from "../../core/protocol.ts";
 import { shownShortcut } from "../../ui/commands/keys.ts";
 import { BookmarkPanel } from "../../ui/time/bookmark_panel.tsx";
@@ -11,6 +11,7 @@ import { sentence } from "../../ui/words/sentence.ts";
 import { usePart, useReading, useSession } from "../session/session.ts";
 import { FuturePanel, useGhosts, WhatIfButton } from "./future_panel.tsx";
 import { kTimeKeys } from "./time_actions.ts";
+import { useExamples } from "./use_examples.ts";
 import { useBookmarkPart, useBookmarks, useFinding, useTravel, useTravelPart, useWhereabouts } from "./use_travel.ts";
 
 const kKeys = Object.fromEntries(Object.entries(kTimeKeys).map(([act, key]) => [act, shownShortcut(key)])) as Record<
@@ -137,14 +138,6 @@ function Listed({ time }: { time: number }) {
       onClose={() => list.close()}
     />
   );
-}
-
-/** Of the robot that is selected. */
-function useExamples(): (readonly [string, string])[] {
-  const roster = usePart("roster");
-  const robot = usePart("selection").robots[0] ?? roster.robots[0]?.id ?? 1;
-  const state = usePart("details").get(robot)?.states[0]?.split(".").at(-1) ?? "";
-  return exampleConditions(robot, state);
 }
 
 function noteOf(line: { parted: string; whySlow: string } | null): string {

@@ -1,15 +1,20 @@
 // All breakpoints: on, off, away; and where the run stands when one has stopped it.
 
+import { hitText } from "../../console/breakpoints/break_points.ts";
+import { BreakpointEntry } from "../../console/breakpoints/breakpoint_entry.tsx";
+import { SentenceField } from "../../console/breakpoints/sentence_field.tsx";
 import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { type Breakpoint, Control_Action, Status_Mode } from "../../core/protocol.ts";
 import { selectRobots } from "../../core/selection.ts";
-import { Button, IconButton, Switch } from "../../ui/controls/controls.tsx";
+import { Button } from "../../ui/controls/controls.tsx";
 import { Icon } from "../../ui/controls/icons.tsx";
 import { sentence } from "../../ui/words/sentence.ts";
-import { breakpointText, hitText } from "../run/break_points.ts";
 import { useLivePage, useLiveState } from "./use_live_part.ts";
 
-const kLost = "What it was set on is not in the drawing any more; if it comes back, so does this";
+const kLost = [
+  "Lost: not in the drawing",
+  "What it was set on is not in the drawing any more; if it comes back, so does this",
+] as const;
 
 export function Breakpoints() {
   const live = useLivePage();
@@ -24,9 +29,11 @@ export function Breakpoints() {
           </Button>
         )}
       </header>
+      <SentenceField onSet={(condition) => live.marks.setSentence(condition)} />
       {all.length === 0 ? (
         <p className="small muted">
-          None. The menu of a transition, a wire or a node (right button, or its details) sets one.
+          None. The menu of a transition, a wire or a node (right button, or its details) sets one; or say above when
+          the run is to pause.
         </p>
       ) : (
         <ul className="break-list">
@@ -41,40 +48,15 @@ export function Breakpoints() {
 
 function Entry({ breakpoint }: { breakpoint: Breakpoint }) {
   const live = useLivePage();
-  const halted = useSessionPart("halted");
   const drawnAt = useLiveState((state) => state.drawnAt.get(breakpoint.id));
-  const text = breakpointText(breakpoint);
-  const isHit = halted?.hits.some((hit) => hit.breakpoint === breakpoint.id) ?? false;
-  const hits = Number(breakpoint.hits);
   return (
-    <li className={isHit ? "hit" : ""}>
-      <Switch
-        label={<span className="hidden-text">{text}: stops the run</span>}
-        value={!breakpoint.isOff}
-        onChange={(on) => void live.marks.switchBreakpoint(breakpoint, on)}
-      />
-      {drawnAt && !drawnAt.isLost ? (
-        <Button tone="link" className="ellipsis" onPress={() => live.goTo(drawnAt)}>
-          {text}
-        </Button>
-      ) : (
-        <span className="ellipsis">{text}</span>
-      )}
-      <span className="small muted grow" title={drawnAt?.isLost ? kLost : breakpoint.error}>
-        {drawnAt?.isLost
-          ? "Lost: not in the drawing"
-          : breakpoint.error !== ""
-            ? sentence(breakpoint.error)
-            : hits > 0
-              ? `${hits}×`
-              : ""}
-      </span>
-      <IconButton
-        icon="close"
-        label={`Remove the breakpoint ${text}`}
-        onPress={() => void live.marks.removeBreakpoint(breakpoint.id)}
-      />
-    </li>
+    <BreakpointEntry
+      breakpoint={breakpoint}
+      lost={drawnAt?.isLost ? kLost : undefined}
+      onGo={drawnAt && !drawnAt.isLost ? () => live.goTo(drawnAt) : undefined}
+      onSwitch={(isOn) => void live.marks.switchBreakpoint(breakpoint, isOn)}
+      onRemove={() => void live.marks.removeBreakpoint(breakpoint.id)}
+    />
   );
 }
 

@@ -1,5 +1,6 @@
 // At the end of the details of what is selected, while it runs: its value, its breakpoints.
 import { useState } from "react";
+import { atCondition, kComparisons } from "../../console/breakpoints/break_points.ts";
 import { usePart as useSessionPart } from "../../console/session/session.ts";
 import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
 import { Section } from "../../designer/details/parts.tsx";
@@ -9,7 +10,6 @@ import type { Drawing } from "../../designer/session/protocol.ts";
 import { useDesigner, usePart } from "../../designer/session/use.ts";
 import { Choice } from "../../ui/controls/choice.tsx";
 import { Button, Field, IconButton } from "../../ui/controls/controls.tsx";
-import { atCondition, kComparisons } from "../run/break_points.ts";
 import { joined } from "../run/places.ts";
 import { type Target, targetOf } from "../run/targets.ts";
 import { HoldValue } from "./hold_value.tsx";

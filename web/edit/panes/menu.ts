@@ -1,4 +1,6 @@
 // What running adds to the menus of a node, a wire, a state or a transition.
+
+import { atCondition, atTransition } from "../../console/breakpoints/break_points.ts";
 import { Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
 import type { Action } from "../../designer/session/action.ts";
 import type { Designer } from "../../designer/session/designer.ts";
@@ -6,7 +8,6 @@ import { isOfLibrary } from "../../designer/session/pages.ts";
 import type { Drawing, Mark } from "../../designer/session/protocol.ts";
 import { transitionOf } from "../../designer/states/flow.ts";
 import { isNoTrigger } from "../../designer/states/trigger_words.ts";
-import { atCondition, atTransition } from "../run/break_points.ts";
 import { heldAt, stateOf } from "../run/interventions.ts";
 import { knownLive, type Live } from "../run/live.ts";
 import { breakAtTransition, breaksWhen, isOnSame, markAt, marksOfPage } from "../run/marks.ts";

@@ -1,7 +1,8 @@
 // Probes and breakpoints: set on a drawing, kept with its document by the designer's server, and obeyed by the simulator.
+
+import { atSentence, type BreakpointInit, hitText } from "../../console/breakpoints/break_points.ts";
 import type { Breakpoint } from "../../core/protocol.ts";
 import type { Drawing, Mark } from "../../designer/session/protocol.ts";
-import { type BreakpointInit, hitText } from "./break_points.ts";
 import { drawnAtOf, endedMarks, type MarkInit, markAt, pinsOf, renamedBreakpoints, untoldMarks } from "./marks.ts";
 import type { Operator } from "./operator.ts";
 import { joined } from "./places.ts";
@@ -35,6 +36,15 @@ export class MarkKeeper {
     this.context.designer.say("Set a breakpoint");
     const port = what?.case === "condition" ? (what.value.port ?? "") : "";
     await this.setMark(drawing, { ...mark, place, trigger, port, breakpoint: { id: reply.result.value, what } });
+  }
+
+  /** Of no place of the drawing. @returns why it is not taken; empty: it is set */
+  async setSentence(condition: string): Promise<string> {
+    const value = { breakpoint: atSentence(condition) };
+    const reply = await this.operator.ask({ case: "setBreakpoint", value });
+    if (!reply.ok) return reply.error || "the simulator said no";
+    this.context.designer.say("Set a breakpoint");
+    return "";
   }
 
   async switchBreakpoint(breakpoint: Breakpoint, isOn: boolean): Promise<void> {

@@ -1,8 +1,8 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
+import { atCondition, atTransition } from "../../console/breakpoints/break_points.ts";
 import { BreakpointSchema, Breakpoint_Condition_Comparison as Comparison } from "../../core/protocol.ts";
 import { Drawing_Kind, DrawingSchema, MarkSchema } from "../../designer/session/protocol.ts";
-import { atCondition, atTransition } from "./break_points.ts";
 import { drawnAtOf, endedMarks, markAt, pinsOf, renamedBreakpoints } from "./marks.ts";
 
 const way = (id: number, from: string, to: string) =>

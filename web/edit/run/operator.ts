@@ -22,15 +22,19 @@ export class Operator {
   /** Asks of the simulator, as its operator, and tells the person where the answer is no. */
   async order(body: Order): Promise<Reply> {
     const why = elsewhen(this.context.model);
-    if (why !== undefined) {
-      this.context.designer.tell(why, "hold");
-      return create(ReplySchema, { ok: false, error: why });
-    }
-    await this.become();
-    const reply = await this.context.connection.ask(body);
-    if (!reply.ok)
+    if (why !== undefined) this.context.designer.tell(why, "hold");
+    const reply = await this.ask(body);
+    if (!reply.ok && why === undefined)
       this.context.designer.tell(sentence(reply.error || reply.diagnostics[0]?.message || "the simulator said no"));
     return reply;
+  }
+
+  /** The same for who tells the answer himself. */
+  async ask(body: Order): Promise<Reply> {
+    const why = elsewhen(this.context.model);
+    if (why !== undefined) return create(ReplySchema, { ok: false, error: why });
+    await this.become();
+    return this.context.connection.ask(body);
   }
 
   /** @returns whether it is, or has been asked for it of who is */

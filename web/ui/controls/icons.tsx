@@ -10,6 +10,7 @@ const kPaths = {
   cycle_on: "M6 5.5v13l9-6.5zM18.5 9v6",
   event_back: "M12 6l-6 6 6 6M19 12l-3.5-3.5L12 12l3.5 3.5z",
   event_on: "M12 6l6 6-6 6M5 12l3.5-3.5L12 12l-3.5 3.5z",
+  breakpoint: "M12 20.5a8.5 8.5 0 1 0 0-17 8.5 8.5 0 0 0 0 17zM10 9v6M14 9v6",
   pause: "M8 5v14M16 5v14",
   stop: "M8.2 3h7.6L21 8.2v7.6L15.8 21H8.2L3 15.8V8.2zM8.5 12h7",
   step: "M6 5.5v13l9-6.5zM18.5 5.5v13",

@@ -1,12 +1,11 @@
 // Looks for moments at which something becomes true, and lists them.
 import { type RefObject, useEffect, useRef, useState } from "react";
-import { Button as AriaButton, ComboBox, Input, ListBox, ListBoxItem, Popover, Text } from "react-aria-components";
 import type { Finding } from "../../core/moment_finder.ts";
 import { momentText } from "../../core/run_time.ts";
 import { Button, IconButton } from "../controls/controls.tsx";
-import { Icon } from "../controls/icons.tsx";
 import { count, readableMessage } from "../words/format.ts";
 import { sentence } from "../words/sentence.ts";
+import { ConditionField } from "./condition_field.tsx";
 
 export interface FindProps {
   finding: Finding;
@@ -50,7 +49,14 @@ export function FindPanel(props: FindProps) {
         <IconButton icon="close" label="Close" shortcut="Esc" onPress={onClose} />
       </header>
       <div className="time-find-line">
-        <Condition text={text} examples={props.examples} onText={setText} onEnter={onFind} />
+        <ConditionField
+          label="When was it so that"
+          text={text}
+          examples={props.examples}
+          placement="top start"
+          onText={setText}
+          onEnter={onFind}
+        />
         {isUnderWay ? (
           <Button onPress={onCancel}>Cancel</Button>
         ) : (
@@ -91,57 +97,6 @@ function found({ moments, isUnderWay, searchedTo, isCut }: Finding, end: number)
   if (isUnderWay) return `${many} so far, searched to ${momentText(searchedTo)} of ${momentText(end)}`;
   if (isCut) return `${many} up to ${momentText(searchedTo)}; it was not searched further`;
   return moments.length === 0 ? "It was never so." : `${many} in the whole run`;
-}
-
-interface ConditionProps {
-  text: string;
-  examples: readonly (readonly [string, string])[];
-  onText: (text: string) => void;
-  onEnter: (text: string) => void;
-}
-
-function Condition({ text, examples, onText, onEnter }: ConditionProps) {
-  return (
-    <ComboBox
-      className="field grow"
-      aria-label="When was it so that"
-      allowsCustomValue
-      menuTrigger="focus"
-      inputValue={text}
-      onInputChange={onText}
-      defaultFilter={(one, typed) => one.toLowerCase().includes(typed.trim().toLowerCase())}
-    >
-      <div
-        className="time-find-field"
-        onKeyDownCapture={(event) => {
-          // Enter on an example takes it into the field, the next one looks for it.
-          const isChosen = (event.target as Element).getAttribute("aria-activedescendant");
-          if (event.key === "Enter" && !isChosen) onEnter(text);
-        }}
-      >
-        <Input className="input" placeholder={examples[0]?.[0] ?? ""} />
-        <AriaButton className="button quiet square" aria-label="Examples">
-          <Icon name="down" />
-        </AriaButton>
-      </div>
-      <Popover className="popover" placement="top start">
-        <ListBox className="menu">
-          {examples.map(([condition, says]) => (
-            <ListBoxItem key={condition} id={condition} textValue={condition} className="menu-item">
-              <span className="texts">
-                <Text slot="label" className="mono">
-                  {condition}
-                </Text>
-                <Text slot="description" className="small muted">
-                  {says}
-                </Text>
-              </span>
-            </ListBoxItem>
-          ))}
-        </ListBox>
-      </Popover>
-    </ComboBox>
-  );
 }
 
 function Rows({ finding, time, onGo }: FindProps) {

@@ -169,6 +169,7 @@ struct Part {
   std::unique_ptr<study::SharedResults> shared;  // null: alone
   std::unique_ptr<study::ResultsFile> own;       // null: shared, or nothing is kept
   std::vector<study::Row> before;
+  std::vector<std::string> damage;  // of what is kept, which counts all the same as far as it can be read
 
   study::Keeper* keeper() const { return shared ? static_cast<study::Keeper*>(shared.get()) : own.get(); }
 };
@@ -188,6 +189,7 @@ bool open_results(Part& part, const study::Identity& identity, bool resumes) {
   }
   part.own = std::move(opened->file);
   part.before = std::move(opened->rows);
+  part.damage = std::move(opened->damage);
   return true;
 }
 
@@ -236,12 +238,6 @@ int conclude(const BatchOptions& options, const study::Definition& definition, c
   return summary.are_all_met() ? kDone : kFailed;
 }
 
-// Of files that count all the same, as far as they can be read.
-void tell_damage(const Part& part) {
-  if (part.results.empty() || part.share.rank > 0) return;
-  for (const std::string& one : study::damage_in(part.results)) fmt::print(stderr, "mlab batch: {}\n", one);
-}
-
 // What is only a warning is said by one of several processes.
 void tell_of(const text::Diagnostics& sink, const Part& part) {
   if (part.share.rank == 0 || sink.has_errors()) tell(sink);
@@ -267,7 +263,9 @@ int run_batch(const BatchOptions& options, const study::Definition& definition, 
   }
   if (!open_results(part, identity_of(definition, scenes.texts), options.resumes || options.merges))
     return kBadInput;
-  tell_damage(part);
+  if (part.share.rank == 0) {
+    for (const std::string& one : part.damage) fmt::print(stderr, "mlab batch: {}\n", one);
+  }
   study::Batch batch(definition, plan, scenes.all, part.keeper(), part.share);
   batch.take(std::move(part.before));
   const double began = steady_seconds();
@@ -303,6 +301,7 @@ std::optional<int> settle_clock(study::Definition& definition, Part& part, bool 
     return kDone;
   }
   part.shared = std::move(joined->results);
+  part.damage = std::move(joined->damage);
   definition.start_time = joined->start_time;
   return std::nullopt;
 }

@@ -93,8 +93,8 @@ int bench(const BenchOptions& options) {
   const std::shared_ptr<const flow::Program> program = scenario ? program_of(options.control, sink) : nullptr;
   tell(sink);
   if (!scenario || !program) return kBadInput;
-  if (!options.json.empty() && !is_writable(options.json)) {
-    fmt::print(stderr, "mlab bench: --json {}: the file can't be written\n", options.json);
+  if (const std::string why = options.json.empty() ? "" : why_not_writable(options.json); !why.empty()) {
+    fmt::print(stderr, "mlab bench: --json {}: the file can't be written: {}\n", options.json, why);
     return kBadInput;
   }
   flow::Frame initial = program->make_frame();

@@ -105,7 +105,7 @@ int build_program(const BuildOptions& options, const robot_build::RobotSource& r
   for (int i = 0; i < kMostLinks && fs::is_symlink(output, error); ++i)
     output = (fs::path(output).parent_path() / fs::read_symlink(output, error)).string();
   const bool is_no_file = fs::exists(output, error) && !fs::is_regular_file(output, error);
-  if (is_no_file || !is_writable(output) || fs::equivalent(output, options.file, error)) {
+  if (is_no_file || !why_not_writable(output).empty() || fs::equivalent(output, options.file, error)) {
     fmt::print(stderr, "mlab build: {} can't be written; -o names another file\n", output);
     return kBadInput;
   }

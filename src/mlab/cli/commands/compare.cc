@@ -4,10 +4,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -28,8 +26,6 @@
 
 namespace mlab::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kRedrawn = 0.2;  // [s]
 
@@ -73,17 +69,10 @@ std::optional<Side> open_side(const std::string& path, const CompareOptions& opt
 }
 
 bool page_is_usable(const CompareOptions& options) {
-  if (options.page.empty()) return true;
-  for (const std::string& input : {options.first, options.second}) {
-    std::error_code missing;
-    if (!fs::equivalent(options.page, input, missing)) continue;
-    fmt::print(stderr, "mlab compare: --html {}: that is a recording, which would be overwritten\n",
-               options.page);
-    return false;
-  }
-  if (is_writable(options.page)) return true;
-  fmt::print(stderr, "mlab compare: --html {}: the file can't be written\n", options.page);
-  return false;
+  const std::string problem = problem_with_outputs(
+      {{"--html", options.page}}, {{"first recording", options.first}, {"second recording", options.second}});
+  if (!problem.empty()) fmt::print(stderr, "mlab compare: {}\n", problem);
+  return problem.empty();
 }
 
 // A line on a terminal that says how far it is.

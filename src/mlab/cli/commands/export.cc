@@ -84,7 +84,7 @@ int put(const std::string& text, const std::string& file) {
     return kDone;
   }
   if (write_file(file, text)) return kDone;
-  fmt::print(stderr, "mlab build: {} can't be written\n", file);
+  fmt::print(stderr, "mlab build: {} can't be written{}\n", file, why_not_written());
   return kBadInput;
 }
 

@@ -54,7 +54,7 @@ int format(const FormatOptions& options) {
     } else if (write_file(file, *wanted)) {
       fmt::print("{}: rewritten\n", file);
     } else {
-      fmt::print(stderr, "mlab fmt: {} can't be written\n", file);
+      fmt::print(stderr, "mlab fmt: {} can't be written{}\n", file, why_not_written());
       status = kBadInput;
     }
   }

@@ -38,7 +38,7 @@ int import(const ImportOptions& options) {
   if (options.output.empty()) {
     fmt::print("{}", out);
   } else if (!write_file(options.output, out)) {
-    fmt::print(stderr, "mlab import: {} can't be written\n", options.output);
+    fmt::print(stderr, "mlab import: {} can't be written{}\n", options.output, why_not_written());
     return kBadInput;
   }
   // Last, so that it is what a person sees: a robot that stands looks like one that works.

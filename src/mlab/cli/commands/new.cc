@@ -135,7 +135,7 @@ int make_new(const NewOptions& options) {
                                                                  {"@ENDING@", beginning.files.front().ending},
                                                                  {"@SETTING@", beginning.setting}});
     if (!write_file(files[i].string(), tidy(files[i], text)))
-      return refuse_new(fmt::format("{} can't be written", files[i].string()));
+      return refuse_new(fmt::format("{} can't be written{}", files[i].string(), why_not_written()));
     fmt::print("{}\n", files[i].string());
   }
   fmt::print(

@@ -167,10 +167,6 @@ std::unique_ptr<RunRecording> recording_of(const ReplayOptions& options, history
 }
 
 bool outputs_are_usable(const ReplayOptions& options) {
-  if (!options.report.empty() && !is_writable(options.report)) {
-    fmt::print(stderr, "mlab replay: --report {}: the file can't be written\n", options.report);
-    return false;
-  }
   std::error_code unknown;
   if (!options.record.empty() && std::filesystem::exists(options.record, unknown)) {
     fmt::print(
@@ -179,11 +175,10 @@ bool outputs_are_usable(const ReplayOptions& options) {
         options.record);
     return false;
   }
-  if (!options.record.empty() && !is_writable(options.record)) {
-    fmt::print(stderr, "mlab replay: --record {}: the file can't be written\n", options.record);
-    return false;
-  }
-  return true;
+  const std::string problem = problem_with_outputs(
+      {{"--report", options.report}, {"--record", options.record}}, {{"recording", options.recording}});
+  if (!problem.empty()) fmt::print(stderr, "mlab replay: {}\n", problem);
+  return problem.empty();
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ int draw_worlds(const WorldOptions& options) {
   }
   for (const std::uint64_t seed : missing) {
     if (!write_file(file(seed), text(seed)))
-      return refuse_world(fmt::format("{} can't be written", file(seed)));
+      return refuse_world(fmt::format("{} can't be written{}", file(seed), why_not_written()));
   }
   fmt::print("{}: {} to {}\n", base::counted(options.count, "map"), file(options.seed),
              file(options.seed + options.count - 1));

@@ -55,8 +55,6 @@ bool names_robot(const Breakpoint& breakpoint, std::uint32_t robot) {
 // What can't be meant at all; empty: it may be.
 std::string problem_with(const Breakpoint& wanted, const std::optional<double>& number) {
   constexpr std::size_t kLongest = 1000;
-  constexpr int kMostRobots = 10'000;
-  if (wanted.robots_size() > kMostRobots) return "it names too many robots";
   if (wanted.has_transition()) {
     const Breakpoint::Transition& transition = wanted.transition();
     if (transition.sequence().empty()) return "a transition belongs to a sequence, and none is named";
@@ -64,7 +62,7 @@ std::string problem_with(const Breakpoint& wanted, const std::optional<double>& 
                           transition.to().size() <= kLongest;
     return is_short ? "" : "its names are too long";
   }
-  if (!wanted.has_condition()) return "a breakpoint is a transition or a condition";
+  if (!wanted.has_condition()) return "a breakpoint is a transition, a condition or a sentence";
   const Condition& condition = wanted.condition();
   if (condition.port().empty()) return "a condition compares a value, and none is named";
   if (condition.port().size() > kLongest || condition.value().size() > kLongest)
@@ -77,39 +75,43 @@ std::string problem_with(const Breakpoint& wanted, const std::optional<double>& 
 
 }  // namespace
 
-bool compares(double a, Breakpoint::Condition::Comparison how, double b) {
-  switch (how) {
-    case Condition::EQUAL:
-      return a == b;
-    case Condition::NOT_EQUAL:
-      return a != b;
-    case Condition::LESS:
-      return a < b;
-    case Condition::LESS_OR_EQUAL:
-      return a <= b;
-    case Condition::GREATER:
-      return a > b;
-    case Condition::GREATER_OR_EQUAL:
-      return a >= b;
-    default:
-      return false;
+std::expected<BreakpointTable::Entry, std::string> BreakpointTable::Entry::read(const Breakpoint& wanted) {
+  constexpr int kMostRobots = 10'000;
+  if (wanted.robots_size() > kMostRobots) return std::unexpected("it names too many robots");
+  Entry out{wanted, std::nullopt, std::nullopt};
+  if (wanted.has_sentence()) {
+    if (!wanted.robots().empty()) return std::unexpected("a sentence names its robots itself");
+    auto sentence = Sentence::parse(wanted.sentence());
+    if (!sentence) return std::unexpected(std::move(sentence.error()));
+    out.sentence = std::move(*sentence);
+    if (!out.sentence->breakpoint()) return out;
   }
+  if (out.what().has_condition()) out.number = number_of(out.what().condition().value());
+  if (std::string problem = problem_with(out.what(), out.number); !problem.empty())
+    return std::unexpected(std::move(problem));
+  return out;
+}
+
+void BreakpointTable::Entry::note(const run::MissionRun* run) {
+  if (!sentence) return;
+  sentence->forget();
+  if (run != nullptr) sentence->look(*run);
 }
 
 std::uint32_t BreakpointTable::set(const Breakpoint& wanted, std::string& error) {
-  Entry one{wanted, std::nullopt};
-  if (wanted.has_condition()) one.number = number_of(wanted.condition().value());
-  error = problem_with(wanted, one.number);
+  auto one = Entry::read(wanted);
+  error = one ? "" : one.error();
   if (error.empty() && wanted.id() != 0 && !all_.contains(wanted.id()))
     error = fmt::format("there is no breakpoint {}", wanted.id());
   if (error.empty() && wanted.id() == 0 && all_.size() >= kMost)
     error = fmt::format("there are {} breakpoints, and more are not kept", kMost);
   if (!error.empty()) return 0;
   const std::uint32_t id = wanted.id() != 0 ? wanted.id() : ++last_id_;
-  one.told.set_id(id);
-  one.told.clear_error();
-  one.told.set_hits(wanted.id() != 0 ? all_.at(id).told.hits() : 0);
-  all_[id] = std::move(one);
+  one->told.set_id(id);
+  one->told.clear_error();
+  one->told.set_hits(wanted.id() != 0 ? all_.at(id).told.hits() : 0);
+  one->note(run_);
+  all_[id] = std::move(*one);
   for (auto& [program, meanings] : meanings_) meanings.erase(id);
   for (auto& [robot, known] : robots_) known.was_true.erase(id);
   recount();
@@ -117,12 +119,12 @@ std::uint32_t BreakpointTable::set(const Breakpoint& wanted, std::string& error)
 }
 
 void BreakpointTable::recall(const std::vector<Breakpoint>& earlier) {
-  for (const Breakpoint& one : earlier) {
-    std::optional<double> number;
-    if (one.has_condition()) number = number_of(one.condition().value());
-    if (one.id() == 0 || !problem_with(one, number).empty() || all_.size() >= kMost) continue;
-    last_id_ = std::max(last_id_, one.id());
-    all_[one.id()] = {one, number};
+  for (const Breakpoint& told : earlier) {
+    auto one = Entry::read(told);
+    if (told.id() == 0 || !one || all_.size() >= kMost) continue;
+    one->note(run_);
+    last_id_ = std::max(last_id_, told.id());
+    all_[told.id()] = std::move(*one);
   }
   recount();
 }
@@ -151,6 +153,7 @@ void BreakpointTable::change(const run::MissionRun* run) {
   run_ = run;
   meanings_.clear();
   robots_.clear();
+  for (auto& [id, one] : all_) one.note(run);
   has_news_ = true;
   say_problems(run);
 }
@@ -159,18 +162,22 @@ void BreakpointTable::change(const run::MissionRun* run) {
 void BreakpointTable::say_problems(const run::MissionRun* run) {
   for (auto& [id, one] : all_) {
     one.told.clear_error();
-    const bool is_somewhere =
-        run == nullptr || std::ranges::any_of(run->fleet().robots(), [&](const auto& robot) {
-          const Program* const program = robot.workings().program;
-          return program != nullptr && names_robot(one.told, robot.id.value) &&
-                 meaning(one, *program).is_there;
-        });
+    if (run == nullptr) continue;
+    if (auto why = one.why_never(*run)) {
+      one.told.set_error(std::move(*why));
+      continue;
+    }
+    if (!one.what().has_transition() && !one.what().has_condition()) continue;
+    const bool is_somewhere = std::ranges::any_of(run->fleet().robots(), [&](const auto& robot) {
+      const Program* const program = robot.workings().program;
+      return program != nullptr && names_robot(one.what(), robot.id.value) && meaning(one, *program).is_there;
+    });
     if (is_somewhere) continue;
     one.told.set_error(
-        one.told.has_transition()
+        one.what().has_transition()
             ? fmt::format("no program of this run has such a transition of `{}`",
-                          clean(one.told.transition().sequence()))
-            : fmt::format("no program of this run has `{}`", clean(one.told.condition().port())));
+                          clean(one.what().transition().sequence()))
+            : fmt::format("no program of this run has `{}`", clean(one.what().condition().port())));
   }
 }
 
@@ -178,12 +185,12 @@ const BreakpointTable::Meaning& BreakpointTable::meaning(const Entry& one, const
   const auto [at, is_new] = meanings_[&program].try_emplace(one.told.id());
   Meaning& out = at->second;
   if (!is_new) return out;
-  if (one.told.has_condition()) {
-    out.port = program.find(one.told.condition().port());
+  if (one.what().has_condition()) {
+    out.port = program.find(one.what().condition().port());
     out.is_there = out.port != nullptr;
     return out;
   }
-  const Breakpoint::Transition& wanted = one.told.transition();
+  const Breakpoint::Transition& wanted = one.what().transition();
   for (std::uint32_t s = 0; s < program.sequence_count(); ++s) {
     if (program.sequence_name(s) != wanted.sequence()) continue;
     const std::vector<std::string>& names = program.state_names(s);
@@ -205,6 +212,7 @@ void BreakpointTable::look(const run::MissionRun& run, Halted& out) {
   for (const fleet::FleetRobot& robot : run.fleet().robots()) {
     if (robot.life == fleet::RobotLife::kRunning && robot.workings().program) look_at(robot, out);
   }
+  look_at_sentences(run, out);
   if (out.hits().empty()) return;
   has_news_ = true;
   out.set_time(run.time());
@@ -231,9 +239,10 @@ void BreakpointTable::look_at(const fleet::FleetRobot& robot, Halted& out) {
   std::optional<std::vector<Program::Transit>> transits;
   std::optional<std::vector<std::uint32_t>> ran;
   for (auto& [id, one] : all_) {
-    if (one.told.is_off() || !names_robot(one.told, robot.id.value) || !meaning(one, program).is_there)
-      continue;
-    if (one.told.has_transition()) {
+    const Breakpoint& what = one.what();
+    if (one.told.is_off() || (!what.has_transition() && !what.has_condition())) continue;
+    if (!names_robot(what, robot.id.value) || !meaning(one, program).is_there) continue;
+    if (what.has_transition()) {
       if (is_new && !is_first_cycle) continue;
       if (!transits) transits = program.transits(frame, before, robot.workings().interventions);
       look_for_transit(one, robot, *transits, out);
@@ -270,7 +279,7 @@ void BreakpointTable::look_for_condition(Entry& one, const fleet::FleetRobot& ro
   const std::byte* const frame = robot.workings().frame;
   const bool is_computed =
       port.role != flow::Port::Role::kOutput || std::ranges::binary_search(ran, port.offset);
-  const bool is_true = is_computed && is_true_now(one.told.condition(), one.number, frame, port);
+  const bool is_true = is_computed && is_true_now(one.what().condition(), one.number, frame, port);
   const auto [was, is_new] = known.was_true.try_emplace(one.told.id(), false);
   const bool is_first_look = is_new && Program::cycle(frame) > 1;
   const bool became = is_true && !was->second && !is_first_look;
@@ -280,12 +289,24 @@ void BreakpointTable::look_for_condition(Entry& one, const fleet::FleetRobot& ro
   told.set_robot(robot.id.value);
   told.set_port(clean(port.path));
   told.set_value(clean(Program::print(frame, port)));
-  const Condition& condition = one.told.condition();
+  const Condition& condition = one.what().condition();
   std::string text = fmt::format("robot {}: {} is {}", robot.id.value, told.port(), told.value());
   if (condition.comparison() != Condition::EQUAL)
     text += fmt::format(" ({} {})", sign_of(condition.comparison()), clean(condition.value()));
   told.set_text(std::move(text));
   hit(one, std::move(told), out);
+}
+
+void BreakpointTable::look_at_sentences(const run::MissionRun& run, Halted& out) {
+  for (auto& [id, one] : all_) {
+    if (one.told.is_off() || !one.sentence) continue;
+    for (Sentence::Met& met : one.sentence->look(run)) {
+      Halted::Hit told;
+      told.set_robot(met.robot);
+      told.set_text(std::move(met.text));
+      hit(one, std::move(told), out);
+    }
+  }
 }
 
 void BreakpointTable::hit(Entry& one, Halted::Hit told, Halted& out) {

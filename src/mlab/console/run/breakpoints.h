@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <expected>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,14 +9,14 @@
 #include <vector>
 
 #include "mlab/console.pb.h"
+#include "mlab/console/run/sentence.h"
 #include "mlab/run/mission_run.h"
 
 namespace mlab::console {
 
-bool compares(double a, Breakpoint::Condition::Comparison how, double b);
-
-/// Where a run is to pause: transitions and conditions of robots' programs. They stay from one run to the
-/// next. Looking reads only, so a run with breakpoints is the same as one without, but for when it pauses.
+/// Where a run is to pause: transitions and conditions of robots' programs, and what a `Sentence` says. They
+/// stay from one run to the next. Looking reads only, so a run with breakpoints is the same as one without,
+/// but for when it pauses.
 class BreakpointTable {
  public:
   static constexpr std::size_t kMost = 256;
@@ -44,7 +45,20 @@ class BreakpointTable {
  private:
   struct Entry {
     Breakpoint told;
+    std::optional<Sentence> sentence;
     std::optional<double> number;  ///< that a condition's value is
+
+    /// @errors  why it can't be meant at all
+    static std::expected<Entry, std::string> read(const Breakpoint& wanted);
+    /// A transition or a condition; a sentence about anything else looks for itself.
+    const Breakpoint& what() const {
+      return sentence && sentence->breakpoint() ? *sentence->breakpoint() : told;
+    }
+    std::optional<std::string> why_never(const run::MissionRun& run) const {
+      return sentence ? sentence->why_never(run) : std::nullopt;
+    }
+    /// What is true already does not become so.
+    void note(const run::MissionRun* run);
   };
   /// What a breakpoint means in a program.
   struct Meaning {
@@ -66,6 +80,7 @@ class BreakpointTable {
                         const std::vector<flow::Program::Transit>& transits, Halted& out);
   void look_for_condition(Entry& one, const fleet::FleetRobot& robot, Robot& known,
                           const std::vector<std::uint32_t>& ran, Halted& out);
+  void look_at_sentences(const run::MissionRun& run, Halted& out);
   void hit(Entry& one, Halted::Hit told, Halted& out);
   const Meaning& meaning(const Entry& one, const flow::Program& program);
   void say_problems(const run::MissionRun* run);

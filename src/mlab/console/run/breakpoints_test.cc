@@ -48,6 +48,22 @@ class Debugger {
     out.mutable_condition()->set_value(value);
     return out;
   }
+  static Breakpoint sentence(const std::string& text) {
+    Breakpoint out;
+    out.set_sentence(text);
+    return out;
+  }
+  /// The cycles in which Find finds it.
+  std::vector<std::uint64_t> found(const std::string& condition) {
+    ToServer message;
+    message.mutable_find_moments()->set_condition(condition);
+    message.mutable_find_moments()->set_from(-1.0);
+    const Reply reply = browser_.ask(std::move(message));
+    EXPECT_TRUE(reply.ok()) << reply.error();
+    std::vector<std::uint64_t> out;
+    for (const Found::One& one : reply.found().moments()) out.push_back(one.cycle());
+    return out;
+  }
   /// Goes on until it halts. False where it does not.
   bool runs_into_one() {
     EXPECT_EQ(browser_.control(Control::RESUME), "");
@@ -199,6 +215,75 @@ TEST(Breakpoints, SayWhyTheyCantHappen) {
   ASSERT_TRUE(anna.set(Debugger::transition("Searching", "Flying")).ok());
   ASSERT_TRUE(anna.browser().wait([&] { return anna.browser().breakpoints().breakpoints_size() == 2; }));
   for (const Breakpoint& one : anna.browser().breakpoints().breakpoints()) EXPECT_NE(one.error(), "");
+}
+
+TEST(Breakpoints, TakeTheSentencesThatMomentsAreFoundBy) {
+  for (const char* text : {"any robot distance-driven > 3", "any robot farther than 2 m from its goal",
+                           "any robot nearer than 4 m to an obstacle", "any robot in state Acquiring",
+                           "any robot movement goes from Searching to Acquiring"}) {
+    Debugger anna;
+    const Reply reply = anna.set(Debugger::sentence(text));
+    ASSERT_TRUE(reply.ok()) << reply.error();
+    ASSERT_TRUE(anna.runs_into_one()) << text;
+    const Halted halted = anna.browser().halted();
+    EXPECT_GT(halted.hits(0).robot(), 0U);
+    EXPECT_TRUE(anna.browser().has_log(halted.hits(0).text())) << halted.hits(0).text();
+    EXPECT_EQ(anna.browser().status().cycle(), halted.cycle());
+    EXPECT_EQ(anna.found(text), std::vector{halted.cycle()}) << text;
+    ASSERT_EQ(anna.browser().breakpoints().breakpoints_size(), 1);
+    EXPECT_EQ(anna.browser().breakpoints().breakpoints(0).sentence(), text);
+    EXPECT_EQ(anna.browser().breakpoints().breakpoints(0).error(), "");
+  }
+}
+
+TEST(Breakpoints, InWordsHaltAtWhatBecomesSoAndNotAtWhatIsSo) {
+  Debugger anna;
+  ASSERT_TRUE(anna.set(Debugger::sentence("robot 1 distance-driven > 2")).ok());
+  ASSERT_TRUE(anna.runs_into_one());
+  const std::uint64_t first = anna.browser().halted().cycle();
+  ASSERT_TRUE(anna.set(Debugger::sentence("robot 1 distance-driven > 1")).ok());
+  ASSERT_TRUE(anna.set(Debugger::sentence("robot 1 distance-driven > 3")).ok());
+  ASSERT_TRUE(anna.runs_into_one());
+  ASSERT_TRUE(anna.browser().wait([&] { return anna.browser().halted().cycle() > first; }));
+  ASSERT_EQ(anna.browser().halted().hits_size(), 1);
+  EXPECT_EQ(anna.browser().halted().hits(0).breakpoint(), 3U);
+  ASSERT_EQ(anna.browser().breakpoints().breakpoints_size(), 3);
+  EXPECT_EQ(anna.browser().breakpoints().breakpoints(1).hits(), 0U) << "it was so already";
+}
+
+TEST(Breakpoints, InWordsSayWhatIsNotUnderstoodAndWhatCantHappen) {
+  Debugger anna;
+  const auto refused = [&](const Breakpoint& wanted) { return testing::Browser::error_of(anna.set(wanted)); };
+  EXPECT_NE(refused(Debugger::sentence("robot three in contact")).find("but saw `three`"), std::string::npos);
+  EXPECT_NE(refused(Debugger::sentence("")).find("the end of the condition"), std::string::npos);
+  EXPECT_NE(refused(Debugger::sentence(std::string(1001, 'x'))).find("at most 1000"), std::string::npos);
+  Breakpoint both = Debugger::sentence("any robot in contact");
+  both.add_robots(2);
+  EXPECT_EQ(refused(both), "a sentence names its robots itself");
+  const std::map<std::string, std::string> expected = {
+      {"robot 99 in contact", "there is no robot 99"},
+      {"any robot nearer than 2 m to PP-Nowhere", "the map has no place `PP-Nowhere`"},
+      {"robot 1 movement goes to Flying", "no program of this run has such a transition of `movement`"}};
+  for (const auto& [text, why] : expected) ASSERT_TRUE(anna.set(Debugger::sentence(text)).ok());
+  ASSERT_TRUE(anna.browser().wait([&] { return anna.browser().breakpoints().breakpoints_size() == 3; }));
+  for (const Breakpoint& one : anna.browser().breakpoints().breakpoints())
+    EXPECT_EQ(one.error(), expected.at(one.sentence()));
+}
+
+TEST(Breakpoints, OfAnEarlierSessionAreThereWithTheirNumbersAndWhatTheyMean) {
+  Breakpoint words = Debugger::sentence("any robot in contact");
+  words.set_id(7);
+  Breakpoint damaged = Debugger::sentence("any robot in");
+  damaged.set_id(8);
+  BreakpointTable table;
+  table.recall({words, damaged});
+  Breakpoints told;
+  table.encode(told);
+  ASSERT_EQ(told.breakpoints_size(), 1);
+  EXPECT_EQ(told.breakpoints(0).sentence(), "any robot in contact");
+  EXPECT_TRUE(table.are_on());
+  std::string error;
+  EXPECT_EQ(table.set(Debugger::transition("", ""), error), 8U);
 }
 
 TEST(RobotDetail, TellsTransitionsActivityAndVectorsOfWhatIsDrawn) {

@@ -1,4 +1,4 @@
-// Breakpoints as they are set on what is drawn, and in words.
+// Breakpoints as they are set on what is drawn, and in words; how they and what has stopped the run are told.
 import type { MessageInitShape } from "@bufbuild/protobuf";
 import { spokenPath } from "../../core/port_words.ts";
 import {
@@ -17,6 +17,11 @@ export function atTransition(sequence: string, from: string, to: string): Breakp
 
 export function atCondition(port: string, comparison: Comparison, value: string): BreakpointInit {
   return { what: { case: "condition", value: { port, comparison, value } } };
+}
+
+/** As moments are found by. */
+export function atSentence(sentence: string): BreakpointInit {
+  return { what: { case: "sentence", value: sentence } };
 }
 
 export const kComparisons: readonly (readonly [Comparison, string])[] = [
@@ -38,6 +43,7 @@ export function breakpointText({ what }: Pick<Breakpoint, "what">): string {
     const { from, to } = what.value;
     return `${from || "any state"} → ${to || "any state"}`;
   }
+  if (what.case === "sentence") return what.value;
   if (what.case !== "condition") return "nothing";
   const { port, comparison, value } = what.value;
   if (comparison === Comparison.EQUAL && (value === "true" || value === "false"))
@@ -48,13 +54,15 @@ export function breakpointText({ what }: Pick<Breakpoint, "what">): string {
 /** What has stopped the run: `robot 1: Searching: near is true`, `robot 1: Forage goes from Searching to Acquiring`. */
 export function hitText({
   robot,
+  text,
   sequence,
   from,
   to,
   port,
   value,
-}: Omit<Halted_Hit, "breakpoint" | "text" | "$typeName">): string {
+}: Omit<Halted_Hit, "breakpoint" | "$typeName">): string {
   if (port !== "") return `robot ${robot}: ${spokenPath(port)} is ${value}`;
+  if (sequence === "") return text;
   return `robot ${robot}: ${spokenPath(sequence)} goes from ${from} to ${to}`;
 }
 
