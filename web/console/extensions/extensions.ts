@@ -63,19 +63,19 @@ export const panels: readonly Panel[] = [
     useBadge: useMachinesBadge,
     useIsThere: useHasMachines,
   },
+  { id: "view", title: "View", icon: "layers", component: ViewPanel, dock: "right", shortcut: "7" },
+  { id: "log", title: "Log", icon: "log", component: LogPanel, dock: "bottom", shortcut: "8" },
+  { id: "text", title: "Text", icon: "text", component: TextPanel, dock: "bottom", shortcut: "9" },
+  { id: "plots", title: "Plots", icon: "plot", component: PlotsPanel, dock: "bottom", shortcut: "0" },
   {
     id: "breakpoints",
     title: "Breakpoints",
     short: "Breaks",
     icon: "breakpoint",
     component: BreakpointsPanel,
-    dock: "right",
+    dock: "bottom",
     useBadge: useBreakpointsBadge,
   },
-  { id: "view", title: "View", icon: "layers", component: ViewPanel, dock: "right", shortcut: "7" },
-  { id: "log", title: "Log", icon: "log", component: LogPanel, dock: "bottom", shortcut: "8" },
-  { id: "text", title: "Text", icon: "text", component: TextPanel, dock: "bottom", shortcut: "9" },
-  { id: "plots", title: "Plots", icon: "plot", component: PlotsPanel, dock: "bottom", shortcut: "0" },
 ];
 
 /** Beside selecting, which the map does by itself. */
