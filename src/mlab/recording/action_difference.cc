@@ -1,5 +1,7 @@
 #include "mlab/recording/action_difference.h"
 
+#include <cmath>
+
 #include <fmt/core.h>
 
 namespace mlab::recording {
@@ -16,10 +18,11 @@ std::string pan_of(const wire::Action& action) {
 }
 std::string status_of(const wire::Action& action) {
   const double remaining = action.status().remaining();
-  return fmt::format(
-      "{}, {} with order {}", action.status().done() ? "done" : "not done",
-      remaining < 0.0 ? fmt::format("{} steps on", -remaining) : fmt::format("{} m to go", remaining),
-      action.status().sequence());
+  const std::string rest = std::isinf(remaining) ? "no way farther"
+                           : remaining < 0.0     ? fmt::format("{} steps on", -remaining)
+                                                 : fmt::format("{} m to go", remaining);
+  return fmt::format("{}, {} with order {}", action.status().done() ? "done" : "not done", rest,
+                     action.status().sequence());
 }
 std::string requests_of(const wire::Action& action) {
   std::string out;

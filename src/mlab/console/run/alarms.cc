@@ -20,6 +20,7 @@ EventLog::Entry entry(Log::Kind kind, std::string text, const FleetRobot& robot,
 
 // What a program counts down that knows no way is no distance.
 std::string what_remains(double remaining) {
+  if (std::isinf(remaining)) return ", and no way leads farther";
   return remaining < 0.0 ? "" : fmt::format(", {:.1f} m remain", remaining);
 }
 
@@ -109,10 +110,13 @@ void Alarms::look_for_progress(const run::MissionRun& run, const FleetRobot& rob
   const fleet::Group* group = run.fleet().group(robot);
   // Who shares something may have nothing to do, and gives up by itself what it comes no nearer to.
   const bool is_shared = group != nullptr && group->command && mission::info(group->command->task).is_shared;
-  const bool should_move =
-      group != nullptr && !is_shared && !group->order.halted && status.sequence == group->order.sequence &&
-      !status.done && group->order.task != percept::Task::kTeleoperate && std::isfinite(status.remaining) &&
-      run.state().mode == mission::State::Mode::kRunning;
+  // Infinitely much remains where no way leads farther, and always where a program does not tell.
+  const bool has_told =
+      std::isfinite(status.remaining) || (status.sequence == known.sequence && std::isfinite(known.best));
+  const bool should_move = group != nullptr && !is_shared && !group->order.halted &&
+                           status.sequence == group->order.sequence && !status.done &&
+                           group->order.task != percept::Task::kTeleoperate && has_told &&
+                           run.state().mode == mission::State::Mode::kRunning;
   if (!should_move || status.sequence != known.sequence || status.remaining < known.best - kProgress) {
     known.sequence = status.sequence;
     known.best = should_move ? status.remaining : std::numeric_limits<double>::infinity();

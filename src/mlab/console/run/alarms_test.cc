@@ -30,7 +30,7 @@ TEST(Alarms, ARobotThatGetsNoNearerIsStuckOnceAndNoLongerWhenItIsDone) {
   run->post(mission::event::Execute{});
   Alarms alarms;
   EventLog log;
-  for (int i = 0; i < 1200; ++i) {
+  for (int i = 0; i < 600; ++i) {
     run->step();
     alarms.look(*run, log);
   }
