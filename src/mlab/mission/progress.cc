@@ -299,8 +299,8 @@ struct Verdict {
 // Whether a command that has made no progress for so long has failed.
 Verdict judge(const State& state, const Run& run) {
   // Time to replace a robot, for an operator who looks on.
-  constexpr double kNobodyCame = 30.0;  // [s]
-  constexpr double kNoneOpened = 60.0;  // or to clear a way [s]
+  constexpr double kNobodyCame = 30.0;   // [s]
+  constexpr double kNoneOpened = 180.0;  // or to clear a way [s]
   if (state.options.patience <= 0.0) return {};
   if (is_given_up(state, run))
     return {has_lost_robots(state, run) ? Failure::kRobotsLost : Failure::kNoProgress,
