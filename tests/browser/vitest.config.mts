@@ -14,7 +14,7 @@ class LongestFirst extends BaseSequencer {
   }
 }
 
-// Each test has an mlab and a page of its own. Most of the time it waits for them, so that files of tests run side by
+// Each test has an mlab and a page of its own. More than half of the time it waits for them, so that files of tests run side by
 // side, more of them than there are processors.
 export default defineConfig({
   root: import.meta.dirname,
@@ -23,7 +23,7 @@ export default defineConfig({
     globalSetup: "./one_browser.ts",
     include: ["**/*.test.ts"],
     sequence: { sequencer: LongestFirst },
-    maxWorkers: Math.min(6, 2 * availableParallelism()),
+    maxWorkers: Math.min(4, availableParallelism() + 1),
     testTimeout: 300_000,
     hookTimeout: 120_000,
     expect: { poll: { timeout: 90_000 } },

@@ -74,7 +74,7 @@ test("what is edited shows at once how it differs from the saved file, and leave
   await picture(page, "compare", { of: "designer" });
   await designer.button("Stop comparing").click();
   await list(designer).waitFor({ state: "detached" });
-  expect(await page.locator(".differs, .difference-sign").count()).toBe(0);
+  await expect.poll(() => page.locator(".differs, .difference-sign").count()).toBe(0);
   expect(designer.troubles).toEqual([]);
 });
 
