@@ -217,7 +217,7 @@ TEST_P(Network, TakesNotMuchLongerForAPacketThanAPairOfSocketsDoes) {
   const double times = yardstick.times([&] { count = count_of(network, kPackets, 100'000); }, kOnce);
   EXPECT_EQ(count.all + static_cast<int>(network.overruns()), kPackets);
   fmt::print("[network] the relay takes {:.1f} times as long for a packet as a pair of sockets\n", times);
-  EXPECT_LT(times, 10.0);
+  EXPECT_LT(times, base::kIsSlowBuild ? 20.0 : 10.0);
 }
 
 }  // namespace
