@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "mlab/base/testing/processor_time.h"
 #include "mlab/ways/testing/grounds.h"
 
 namespace mlab::ways {
@@ -104,7 +103,7 @@ TEST(Planner, FindsTheShortestWayWhereverThereIsOne) {
   std::uniform_real_distribution<double> place(2.0, 98.0);
   int found = 0;
   int closed = 0;
-  for (int round = 0; round < 120; round += 120 / base::examples(120)) {
+  for (int round = 0; round < 120; ++round) {
     const Ground ground = any_ground(random, 100.0, 3 + round / 3, round % 3 == 0 ? round / 2 : 0);
     const double clearance = 0.3 + 0.02 * round;
     constexpr double kStep = 1.0;
@@ -134,8 +133,8 @@ TEST(Planner, FindsTheShortestWayWhereverThereIsOne) {
     ASSERT_TRUE(back) << round;
     EXPECT_NEAR(back->length, way->length, 1e-6 * way->length) << round;
   }
-  EXPECT_GE(found, base::examples(31));
-  EXPECT_GE(closed, base::kIsSlowBuild ? 0 : 2);  // few are
+  EXPECT_GT(found, 30);
+  EXPECT_GT(closed, 1);
 }
 
 // Where things are many, those far away are looked at only when a way may lead by them.
