@@ -153,12 +153,16 @@ std::string about_doubles(const std::vector<agents::Member>& members) {
 
 std::string about_versions(const std::vector<agents::Member>& members) {
   std::string out;
+  int count = 0;
   for (const agents::Member& one : members) {
     if (one.state != agents::Member::State::kThere) continue;
-    if (const std::string words = agents::other_version(one.said, kVersion); !words.empty())
-      out += (out.empty() ? "" : "; ") + words;
+    const std::string words = agents::other_version(one.said, kVersion);
+    if (words.empty()) continue;
+    out += (out.empty() ? "" : "; ") + words;
+    ++count;
   }
-  return out.empty() ? out : out + ": it carries nothing for runs of this one";
+  if (count == 0) return "";
+  return out + (count == 1 ? ": it carries" : ": they carry") + " nothing for runs of this one";
 }
 
 std::string stopping_person() {

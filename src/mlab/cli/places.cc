@@ -78,16 +78,6 @@ bool write_stream(const std::string& path, const std::string& text, const std::f
   return is_written && is_closed;
 }
 
-// Where links lead, also to what is not there yet.
-fs::path target_of(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the system follows
-  fs::path out = path;
-  std::error_code error;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(out, error); ++i)
-    out = out.parent_path() / fs::read_symlink(out, error);
-  return out;
-}
-
 // Also of what is not there yet.
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;
@@ -139,6 +129,15 @@ std::string state_folder() {
     folder = fs::path(environment_variable("HOME")) / ".local" / "state";
   if (!folder.is_absolute()) return "";
   return (folder / "mlab").string();
+}
+
+fs::path target_of(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  fs::path out = path;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(out, error); ++i)
+    out = out.parent_path() / fs::read_symlink(out, error);
+  return out;
 }
 
 std::string why_not_writable(const std::string& path) {

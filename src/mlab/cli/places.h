@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ struct NamedFile {
 /// Why these can't be written, as a sentence about the first of which that is so: it is read as well, another
 /// one goes to the same place, by whatever name, or no file can be written there. Empty: they can.
 std::string problem_with_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
+/// Where links lead, also to what is not there yet.
+std::filesystem::path target_of(const std::string& path);
 /// Why the file can't be written, or made where it is not there: `there is no folder `out``. Empty: it can.
 std::string why_not_writable(const std::string& path);
 /// Writes the whole file, or leaves what was there: the text goes to a new file beside it, which then takes

@@ -98,15 +98,15 @@ class ProgressLine {
 
 int build_program(const BuildOptions& options, const robot_build::RobotSource& robot,
                   text::Diagnostics& sink) {
-  std::string output =
-      options.output.empty() ? fs::path(options.file).replace_extension().string() : options.output;
+  const std::string output =
+      target_of(options.output.empty() ? fs::path(options.file).replace_extension().string() : options.output)
+          .string();
   std::error_code error;
-  constexpr int kMostLinks = 40;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(output, error); ++i)
-    output = (fs::path(output).parent_path() / fs::read_symlink(output, error)).string();
   const bool is_no_file = fs::exists(output, error) && !fs::is_regular_file(output, error);
-  if (is_no_file || !why_not_writable(output).empty() || fs::equivalent(output, options.file, error)) {
-    fmt::print(stderr, "mlab build: {} can't be written; -o names another file\n", output);
+  const std::string why = is_no_file ? "" : why_not_writable(output);
+  if (is_no_file || !why.empty() || fs::equivalent(output, options.file, error)) {
+    fmt::print(stderr, "mlab build: {} can't be written{}{}; -o names another file\n", output,
+               why.empty() ? "" : ": ", why);
     return kBadInput;
   }
   const auto began = std::chrono::steady_clock::now();
