@@ -27,6 +27,20 @@ class Patience : public ::testing::Test {
     return *fleet_;
   }
 
+  // After the start b goes somewhere, and robot 2 of a is lost; then a has the task, with (100, 5) as its
+  // goal.
+  std::unique_ptr<ToyFleet> with_one_lost_before(Task task) const {
+    MissionMaker maker = maker_;
+    UnitCommand whole = command(a_, task, "A", {100, 5});
+    whole.radius = 10;
+    maker.step({move_to(b_, "B", {10, 50})}).step({whole});
+    auto fleet = std::make_unique<ToyFleet>(maker.make(), ExecutiveOptions{.patience = 60.0});
+    fleet->send(event::Execute{});
+    fleet->run_cycles(2);
+    fleet->robot(2).report.is_running = false;
+    return fleet;
+  }
+
   MissionMaker maker_;
   std::uint32_t a_ = 0;
   std::uint32_t b_ = 0;
@@ -139,14 +153,8 @@ TEST_F(Patience, LastsWithOneThatIsReplacedInTime) {
 
 TEST_F(Patience, IsNotTriedByWhoWasLostBeforeTheCommandBegan) {
   for (const Task task : {Task::kMoveTo, Task::kRally}) {
-    MissionMaker maker = maker_;
-    UnitCommand whole = command(a_, task, "A", {100, 5});
-    whole.radius = 10;
-    maker.step({move_to(b_, "B", {10, 50})}).step({whole});
-    ToyFleet fleet(maker.make(), ExecutiveOptions{.patience = 60.0});
-    fleet.send(event::Execute{});
-    fleet.run_cycles(2);
-    fleet.robot(2).report.is_running = false;
+    const auto made = with_one_lost_before(task);
+    ToyFleet& fleet = *made;
     fleet.run(100.0);
     EXPECT_EQ(fleet.state().outcome, Outcome::kDone) << fleet.transcript();
     const std::string text = task == Task::kMoveTo ? "MOVETO" : "RALLY";
@@ -157,14 +165,8 @@ TEST_F(Patience, IsNotTriedByWhoWasLostBeforeTheCommandBegan) {
 
 TEST_F(Patience, IsHadAgainWithWhoWasLeftOutAndIsReplaced) {
   for (const Task task : {Task::kMoveTo, Task::kRally}) {
-    MissionMaker maker = maker_;
-    UnitCommand whole = command(a_, task, "A", {100, 5});
-    whole.radius = 10;
-    maker.step({move_to(b_, "B", {10, 50})}).step({whole});
-    ToyFleet fleet(maker.make(), ExecutiveOptions{.patience = 60.0});
-    fleet.send(event::Execute{});
-    fleet.run_cycles(2);
-    fleet.robot(2).report.is_running = false;
+    const auto made = with_one_lost_before(task);
+    ToyFleet& fleet = *made;
     ASSERT_TRUE(fleet.run_until([&] { return fleet.state().steps.size() == 3; }, 60.0)) << fleet.transcript();
     fleet.run(2.0);
     fleet.robot(2).report.is_running = true;
