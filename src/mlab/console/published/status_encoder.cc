@@ -57,9 +57,9 @@ void encode_part(const schema::Errands& errands, std::size_t errand, Status::Com
 // What each of them has before it on its round, as one of them knows it.
 void encode_round(const fleet::FleetRobot& robot, const percept::Percepts& percepts, std::size_t& room,
                   Status::Command& out) {
-  const std::vector<schema::Stretch> all =
-      schema::stretches(percepts, kSilence, robot.program->number("robot_radius").value_or(0.2),
-                        robot.program->number("avoid_obstacle_safety_margin").value_or(0.0));
+  const std::vector<schema::Stretch> all = schema::stretches(
+      percepts, kSilence, robot.program->number("robot_radius").value_or(robot.capabilities.radius),
+      robot.program->number("avoid_obstacle_safety_margin").value_or(0.0));
   if (all.size() > room) return;
   room -= all.size();
   for (const schema::Stretch& one : all) {

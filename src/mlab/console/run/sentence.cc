@@ -95,10 +95,14 @@ std::optional<double> to_robot(const run::MissionRun& run, const FleetRobot& rob
   return std::isfinite(nearest) ? std::optional(nearest) : std::nullopt;
 }
 
-const overlay::ControlMeasure* find_place(const run::MissionRun& run, const std::string& name) {
+// By `Charlie` or `PP-Charlie`. Each cycle asks, of each robot.
+const overlay::ControlMeasure* find_place(const run::MissionRun& run, std::string_view name) {
   const auto& measures = run.mission().overlay.measures;
   const auto found = std::ranges::find_if(measures, [&](const overlay::ControlMeasure& one) {
-    return one.name == name || fmt::format("{}-{}", keyword(one.kind), one.name) == name;
+    if (!name.ends_with(one.name)) return false;
+    const std::string_view before = name.substr(0, name.size() - one.name.size());
+    return before.empty() ||
+           (before.back() == '-' && before.substr(0, before.size() - 1) == keyword(one.kind));
   });
   return found == measures.end() ? nullptr : &*found;
 }
