@@ -1,6 +1,6 @@
 import { availableParallelism } from "node:os";
 import { defineConfig } from "vitest/config";
-import { BaseSequencer, type TestSpecification } from "vitest/node";
+import { BaseSequencer, type Reporter, type TestCase, type TestSpecification } from "vitest/node";
 
 /** By far the longest, though its text is short. Begun late, it would run on alone while the other processors stand idle. */
 const kLongest = "designer/corpus.test.ts";
@@ -11,6 +11,15 @@ class LongestFirst extends BaseSequencer {
     const sorted = await super.sort(files);
     const isLongest = (file: TestSpecification) => file.moduleId.endsWith(kLongest);
     return [...sorted.filter(isLongest), ...sorted.filter((file) => !isLongest(file))];
+  }
+}
+
+/** Names tests that failed and passed when they were tried again, as `./mlab test` expects it, and what they failed with. */
+class NamesUnsteady implements Reporter {
+  onTestCaseResult(test: TestCase) {
+    if (!test.diagnostic()?.flaky) return;
+    console.log(`Unsteady: ${test.module.relativeModuleId} > ${test.fullName}`);
+    for (const error of test.result().errors ?? []) console.log(error.stack ?? error.message);
   }
 }
 
@@ -26,6 +35,8 @@ export default defineConfig({
     maxWorkers: Math.min(4, availableParallelism() + 1),
     testTimeout: 300_000,
     hookTimeout: 120_000,
+    retry: 1,
+    reporters: ["default", new NamesUnsteady()],
     expect: { poll: { timeout: 90_000 } },
   },
 });

@@ -1,6 +1,9 @@
 # One line per stage; at the end where the time went, and the closing line that counts all tests.
 
 total_passed=0 total_failed=0 total_skipped=0
+tried_again='Tried again:'  # in a log, before what ctest says of tests that it has told of already
+unsteady='Unsteady:'        # before the name of a test that failed, and passed when it was tried again
+unsteady_tests=()
 stage_times=()  # per stage: name, seconds, seconds of processors
 
 # Shows how far a stage is, from the last line of its log, until it is killed. Only on a terminal.
@@ -16,8 +19,14 @@ watch_log() {
 # count_tests LOG STATUS: sets passed, failed, skipped from what ctest and vitest say in the log; a stage without them is
 # one test. vitest: `Tests  1 failed | 41 passed | 2 skipped (44)`.
 count_tests() {
-  read -r passed failed skipped < <(awk -v status="$2" '
-    /tests passed, [0-9]+ tests? failed out of [0-9]+/ { failed += $4; total += $NF; is_ctest = 1 }
+  read -r passed failed skipped < <(awk -v status="$2" -v again="^$tried_again" '
+    $0 ~ again { is_again = 1 }
+    /tests passed, [0-9]+ tests? failed out of [0-9]+/ {
+      if (is_again) failed -= at_first
+      else { total += $NF; at_first = $4 }
+      failed += $4
+      is_ctest = 1
+    }
     /^Test project / { is_ctest = 1 }
     /^ *Tests  .*\([0-9]+\)$/ {
       is_ctest = 1
@@ -60,7 +69,7 @@ stages_after() { printf '%s\n' "${stages[@]}" | sed "0,/^$1\$/d"; }
 
 # run_stage NAME: does what there is to do for a stage, with its output in a log.
 run_stage() {
-  local name=$1 log=$build/logs/$1.log started=$SECONDS status=0 watcher passed failed skipped worked=0
+  local name=$1 log=$build/logs/$1.log started=$SECONDS status=0 shaky watcher passed failed skipped worked=0
   : >"$log"
   watch_log "$name" "$log" 9>&- &
   watcher=$!
@@ -80,8 +89,10 @@ run_stage() {
   wait "$watcher" 2>/dev/null || true
   end_progress
   count_tests "$log" "$status"
+  mapfile -t shaky < <(sed -n "s/^$unsteady //p" "$log")
+  unsteady_tests+=("${shaky[@]/#/$name: }")
   ((total_passed += passed, total_failed += failed, total_skipped += skipped)) || true
-  ((failed == 0)) || show_failure "$log"
+  ((failed + ${#shaky[@]} == 0)) || show_failure "$log"
   printf '%-8s %s  %5d passed, %d failed, %d skipped  %4d s\n' "$name" "$( ((failed == 0)) && echo ok || echo FAILED)" \
     "$passed" "$failed" "$skipped" $((SECONDS - started))
   # Without a build nothing else can be tested.
@@ -105,6 +116,8 @@ report_times() {
 report_all() {
   end_ahead
   report_times
+  ((${#unsteady_tests[@]} == 0)) || printf '\n%s' 'Failed, and passed when tried again, so there is something to mend:' \
+    "${unsteady_tests[@]/#/  }" ''
   printf '\n%d passed, %d failed, %d skipped\n' "$total_passed" "$total_failed" "$total_skipped"
   ((total_failed == 0)) || exit 1
   exit 0
