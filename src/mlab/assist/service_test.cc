@@ -359,7 +359,7 @@ TEST(ServiceSpeed, AFileOfTenThousandLinesIsCompletedInTheTimeOfACheck) {
         "success_radius = 1 m);\n  }}\n}}\n\n",
         i);
   }
-  EXPECT_GE(std::ranges::count(content, '\n'), base::kIsSlowBuild ? 10'000 / 16 : 10'000);
+  EXPECT_GE(std::ranges::count(content, '\n'), base::kIsSlowBuild ? 10'000 / 32 : 10'000);
   const Text text{std::make_shared<const text::Source>("x.cdl", content), Language::kConfiguration};
   const Surroundings around = testing::nowhere();
   const auto ask = [&] {

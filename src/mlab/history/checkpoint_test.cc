@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "mlab/base/testing/processor_time.h"
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/history/testing/meddler.h"
 #include "mlab/history/testing/written_run.h"
@@ -133,7 +134,7 @@ TEST_P(OfMission, GoesOnFromAnyMomentAsItDid) {
   std::mt19937 random(7);
   script.save();
   written.run().post(event::Execute{});
-  for (int cycle = 0; cycle < 2500 && script.step(); ++cycle) {
+  for (int cycle = 0; cycle < base::examples(2500) && script.step(); ++cycle) {
     if (random() % 200 == 0) script.save();
   }
   ASSERT_GT(written.run().cycle(), 300U);

@@ -27,9 +27,12 @@ constexpr int examples(int all) {
   return kIsSlowBuild ? (all + 3) / 4 : all;
 }
 
+/// How many steps it is to the next of examples that are many and alike: a slow build tries every fourth.
+constexpr std::size_t kNextExample = kIsSlowBuild ? 4 : 1;
+
 /// The length of a text that tests of speed call a megabyte. A slow build, which looks for other mistakes,
-/// reads a sixteenth of it.
-inline constexpr std::size_t kMegabyte = std::size_t{1} << (kIsSlowBuild ? 16U : 20U);
+/// reads a thirty-second of it.
+inline constexpr std::size_t kMegabyte = std::size_t{1} << (kIsSlowBuild ? 15U : 20U);
 
 /// The time that the processor spends on `work`, in all threads of this process: other programs on the
 /// machine do not count [s].

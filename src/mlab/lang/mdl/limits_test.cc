@@ -175,7 +175,8 @@ TEST(MdlLimits, LinesOfMillionsOfPointsAreNotCopiedForEveryCommand) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(::testing::TempDir()) / "mdl_limits";
   fs::create_directories(folder);
-  std::ofstream(folder / "long.odl") << "SITE x\nCONTROL MEASURES:\nPL long " << repeated("1 2 3 4 ");
+  std::ofstream(folder / "long.odl") << "SITE x\nCONTROL MEASURES:\nPL long "
+                                     << repeated("1 2 3 4 ", 2 * kSize);
   const std::string text = "OVERLAY long.odl\nUNIT <u> ROBOT\nCOMMAND LIST:\n0. UNIT u START 1 1\n" +
                            repeated("1. UNIT u FOLLOW long\n", 10000);
   text::Diagnostics sink;
