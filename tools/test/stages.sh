@@ -15,7 +15,7 @@ fewer_examples="$RC_PARAMS max_success=25"
 
 # How many tests run at once where some wait for real time; and where most of them wait for each other most of the time.
 waiting_jobs=$((jobs + (jobs + 1) / 2))
-idle_jobs=$((2 * jobs))
+idle_jobs=$((3 * jobs))
 
 # A test that fails only where the machine stands still for a moment is unsteady. A stage in which no more than these fail tries
 # each once more, alone, and names those that pass then; but none that crashed, or that a sanitizer spoke of.
