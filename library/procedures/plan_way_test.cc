@@ -144,6 +144,27 @@ TEST_F(Way, IsTrackedOnWhereItLeadsBackAlongItself) {
   }
 }
 
+TEST_F(Way, IsTrackedOnAlongOneThatGoesOnAlongTheSameLine) {
+  flow::BehaviorProbe p = probe("TrackWay");
+  PlannedWay way = straight({0.0, 0.0}, {100.0, 0.0});
+  way.corners[way.count++] = {0.0, 0.0};  // and back
+  const auto at = [&](Point place) {
+    p.set("way", way).set("place", place);
+    p.step();
+    return p.output<double>();
+  };
+  for (double x = 0.0; x < 100.0; x += 4.0) EXPECT_DOUBLE_EQ(at({x, 1.0}), x);
+  for (double x = 100.0; x > 60.0; x -= 4.0) EXPECT_DOUBLE_EQ(at({x, 1.0}), 200.0 - x);
+  const auto version = way.version;
+  way = straight({30.0, 0.0}, {100.0, 0.0});
+  way.corners[way.count++] = {-50.0, 0.0};
+  way.version = static_cast<std::uint16_t>(version + 1);
+  way.cut_off = 30.0F;
+  EXPECT_DOUBLE_EQ(at({60.0, 1.0}), 110.0) << "not on the way there, which is as near";
+  way.version = static_cast<std::uint16_t>(version + 3);
+  EXPECT_DOUBLE_EQ(at({60.0, 1.0}), 30.0) << "two ways later it is another one";
+}
+
 TEST_F(Way, HasAPlaceForEachRankOfAFormation) {
   flow::BehaviorProbe p = probe("WayStation");
   p.set("way", straight({0.0, 0.0}, {100.0, 0.0})).set("spacing", 10.0);

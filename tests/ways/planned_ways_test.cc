@@ -61,9 +61,8 @@ class Planned : public testing::Test {
     const auto source = std::make_shared<const text::Source>("test.mdl", text);
     mdl::LoadOptions options;
     options.files.is_file = [](const std::string& path) { return path == "road.odl"; };
-    options.files.read = [](const std::string& path) -> text::Result<text::SourcePtr> {
-      return std::make_shared<const text::Source>(
-          path, "CONTROL MEASURES:\nROAD Street 150 200 250 200 400 200 400 100 400 350 8\n");
+    options.files.read = [this](const std::string& path) -> text::Result<text::SourcePtr> {
+      return std::make_shared<const text::Source>(path, "CONTROL MEASURES:\n" + roads_);
     };
     const auto read = mdl::check_mission(source, "", sink, options);
     ASSERT_NE(read, nullptr) << text::render(sink);
@@ -114,6 +113,7 @@ class Planned : public testing::Test {
   }
 
   std::unique_ptr<run::MissionRun> run_;
+  std::string roads_ = "ROAD Street 150 200 250 200 400 200 400 100 400 350 8\n";
   std::string told_;
   std::string mover_;                   ///< a configuration that missions may name
   std::optional<geom::Point> cleared_;  ///< the obstacle there goes after a minute
@@ -186,6 +186,31 @@ TEST_F(Planned, ARouteIsFollowedRoundWhatStandsOnIt) {
     EXPECT_EQ(contacts(), 0U);
     EXPECT_LT(distance(run_->fleet().group(run_->fleet().robots().front())->center, {400.0, 350.0}), 10.0);
   }
+}
+
+// Drawn by hand, as by the console: more corners than a way can tell at once.
+TEST_F(Planned, ALineOfManyCornersIsFollowedToItsEnd) {
+  roads_ = "AXIS Winding";
+  for (int i = 0; i < 120; ++i)
+    roads_ += fmt::format(" {:.1f} {:.1f}", 50.0 + 7.0 * i, 200.0 + 50.0 * std::sin(i / 8.0));
+  roads_ += "\nAXIS Spiral";
+  for (int i = 0; i < 80; ++i)
+    roads_ += fmt::format(" {:.1f} {:.1f}", 450.0 + (20.0 + 2.0 * i) * std::cos(0.4 * i),
+                          200.0 + (20.0 + 2.0 * i) * std::sin(0.4 * i));
+  roads_ += "\n";
+  const auto follow = [&](const char* line, const char* formation, double metres) {
+    make_run(fmt::format(
+        "MISSION-AREA 900 400\nOVERLAY road.odl\nNEW-ROBOT planner robot blue \"\" (formation_spacing = 25)\n"
+        "UNIT <team> planner planner planner planner\n"
+        "COMMAND LIST:\n0. UNIT team START 60 200 0 10\n1. UNIT team FOLLOW {} FORMATION {}\n",
+        line, formation));
+    EXPECT_TRUE(go(12'000)) << line << ", " << formation << "\n" << told_;
+    EXPECT_LT(run_->time(), 1.5 * metres / 4.0) << line << ", " << formation;
+    told_.clear();
+  };
+  for (const char* formation : {"Column", "Line", "Wedge", "Diamond"})
+    follow("AXIS-Winding", formation, 975.0);
+  follow("AXIS-Spiral", "Column", 3100.0);
 }
 
 // The last one has to come out of a bow; without being told to, nobody waits for it.

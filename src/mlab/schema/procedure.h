@@ -41,6 +41,7 @@
 #include "mlab/schema/requests.h"
 #include "mlab/schema/robots.h"
 #include "mlab/schema/route.h"
+#include "mlab/schema/route_way.h"
 #include "mlab/schema/sectors.h"
 #include "mlab/schema/signal.h"
 #include "mlab/schema/stick.h"

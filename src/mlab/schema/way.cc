@@ -88,14 +88,6 @@ Sites& sites() {
   return all;
 }
 
-void add(PlannedWay& way, geom::Point corner) {
-  if (way.count > 0 && distance(way.corners[way.count - 1], corner) < 1e-9) return;
-  if (way.count == PlannedWay::kMostCorners)
-    way.end = WayEnd::kFull;
-  else
-    way.corners[way.count++] = corner;
-}
-
 // Where a body may leave a place, or come to it, that things are nearer to than it keeps: so many clearances
 // from there, or from the nearest place to it where it can be at all.
 std::optional<geom::Point> free_beside(const ways::Clearing& tight, const ways::Clearing& wide,
@@ -121,11 +113,11 @@ PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& wa
   PlannedWay out;
   out.clearance = way.clearance;
   out.end = end;
-  add(out, from);
-  for (const geom::Point corner : way.corners) add(out, corner);
+  out.append(from);
+  for (const geom::Point corner : way.corners) out.append(corner);
   if (end != WayEnd::kGoal) return out;
   if (tight.clearing().is_free(goal))
-    add(out, goal);
+    out.append(goal);
   else if (out.end != WayEnd::kFull)
     out.end = WayEnd::kBesideGoal;
   return out;
@@ -168,7 +160,7 @@ PlannedWay up_to_the_goal(const ways::Clearing& clearing, PlannedWay way, geom::
     (clearing.is_free(geom::Segment{last, last + (goal - last) * middle}) ? open : closed) = middle;
   }
   const WayEnd end = way.end;
-  add(way, last + (goal - last) * open);
+  way.append(last + (goal - last) * open);
   way.end = end;
   return way;
 }
@@ -228,8 +220,8 @@ bool is_straight_free(const ways::Clearing& wide, geom::Point from, geom::Point 
 }
 
 void lead_straight(geom::Point from, geom::Point goal, double clearance, PlannedWay& out) {
-  add(out, from);
-  add(out, goal);
+  out.append(from);
+  out.append(goal);
   out.clearance = clearance;
   out.end = WayEnd::kGoal;
 }
@@ -290,36 +282,6 @@ PlannedWay remembered_way(const Question& asked, const percept::KnownGround& gro
   return fresh.way;
 }
 
-/// As plan_route, but for the way's length.
-RouteWay find_route(const percept::KnownGround& ground, geom::Point from,
-                    std::span<const geom::Point> corners, double radius, double margin) {
-  RouteWay found;
-  PlannedWay& out = found.way;
-  out.clearance = radius + margin;
-  out.end = WayEnd::kGoal;
-  geom::Point here = from;
-  for (const geom::Point& corner : corners) {
-    const bool is_last = &corner == &corners.back();
-    const PlannedWay leg = plan_way(ground, here, corner, radius, margin);
-    if (!is_last && (leg.end == WayEnd::kClosedOff || leg.end == WayEnd::kNowhere)) {
-      const auto index = static_cast<std::size_t>(&corner - corners.data());
-      found.left_out.push_back({index, corner, leg.count == 0 ? here : leg.points().back()});
-      continue;
-    }
-    for (const geom::Point point : leg.points()) add(out, point);
-    if (leg.count > 0) {
-      out.clearance = std::min(out.clearance, leg.clearance);
-      here = leg.points().back();
-    }
-    if (out.end == WayEnd::kFull || leg.end == WayEnd::kFull) {
-      out.end = WayEnd::kFull;
-      return found;
-    }
-    if (is_last) out.end = leg.end;
-  }
-  return found;
-}
-
 }  // namespace
 
 geom::Point place_outside(const percept::Percepts& percepts, double keep) {
@@ -344,31 +306,6 @@ PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::
   return out;
 }
 
-RouteWay plan_route(const percept::KnownGround& ground, geom::Point from,
-                    std::span<const geom::Point> corners, double radius, double margin) {
-  RouteWay out = find_route(ground, from, corners, radius, margin);
-  out.way.length = route_length(out.way.points());
-  return out;
-}
-
-std::span<const LeftOut> not_told(std::span<const LeftOut> left_out, std::size_t from) {
-  const auto first = std::ranges::lower_bound(left_out, from, {}, &LeftOut::corner);
-  return left_out.subspan(static_cast<std::size_t>(first - left_out.begin()));
-}
-
-std::size_t corners_passed(const PlannedWay& way, double at, std::span<const geom::Point> corners) {
-  const auto points = way.points();
-  const double length = way_length(way);
-  double before = 0.0;
-  std::size_t passed = 0;
-  while (passed + 1 < corners.size()) {
-    before = nearest_way(points, corners[passed], before, length);
-    if (before >= at) break;
-    ++passed;
-  }
-  return passed;
-}
-
 namespace {
 
 // Whether nobody can be where a way ends, on other ground than it was planned on.
@@ -381,15 +318,19 @@ bool is_end_taken(const percept::KnownGround& ground, const PlannedWay& way) {
 }  // namespace
 
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const PlannedWay& way,
-              geom::Point from, double stray, bool is_body, double& off) {
+              geom::Point from, double stray, bool is_body, const OnRoute* on_route, double& off) {
   off = std::numeric_limits<double>::infinity();
   if (!is_same_ground &&
       (way.end == WayEnd::kClosedOff || !is_open(ground, way) || is_end_taken(ground, way)))
     return false;
   const double length = way_length(way);
-  const double at = nearest_on(way, from, 0.0, length);
+  const double at = nearest_on(way, from, on_route == nullptr ? 0.0 : on_route->at, length);
   const double away = distance(point_on(way, at), from);
-  if (away > stray || (way.end == WayEnd::kFull && at >= 0.7 * length)) return false;
+  // Those who are farther ahead than the middle of a unit see where a route leads on, too.
+  const bool is_near_its_end = on_route == nullptr
+                                   ? at >= 0.7 * length
+                                   : on_route->at - on_route->since >= 0.5 * (length - on_route->since);
+  if (away > stray || (way.end == WayEnd::kFull && is_near_its_end)) return false;
   if (way.end != WayEnd::kFull) off = away;
   if (!is_body || away <= way.clearance) return true;
   const geom::Segment ahead{from, carrot_on(way, from, at, away, kLookahead)};

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "mlab/geom/pose.h"
 #include "mlab/percept/percepts.h"
@@ -44,39 +44,22 @@ geom::Point place_outside(const percept::Percepts& percepts, double keep);
 ways::PlannedWay plan_way(const percept::KnownGround& ground, geom::Point from, geom::Point goal,
                           double radius, double margin);
 
-/// A corner of a route that no way leads to.
-struct LeftOut {
-  std::size_t corner = 0;  ///< of those that the way was planned for
-  geom::Point place;       ///< [m, world]
-  geom::Point last;        ///< where the way to it ends [m, world]
+/// Where somebody is who goes along a route, which may lead back along itself.
+struct OnRoute {
+  double at = 0.0;     ///< along the way; he is never looked for behind it [m]
+  double since = 0.0;  ///< where he was when the way was planned [m]
 };
-struct RouteWay {
-  ways::PlannedWay
-      way;  ///< its `end` says what is at the route's end; `kFull`: it is longer than it can tell
-  std::vector<LeftOut> left_out;
-};
-/// A way that leads from where one is to a route and along it to its end, round what stands on it: beside
-/// corners of the route that something stands at; those that no way leads to are left out.
-/// @param corners  those of the route that are still to come [m, world]; at least one
-RouteWay plan_route(const percept::KnownGround& ground, geom::Point from,
-                    std::span<const geom::Point> corners, double radius, double margin);
-
-/// Of corners that are left out those from the one of that number on.
-std::span<const LeftOut> not_told(std::span<const LeftOut> left_out, std::size_t from);
-
-/// How many corners of a route one has passed who is so far along a way that leads along it.
-/// @param corners  those that were still to come when the way was planned [m, world]
-std::size_t corners_passed(const ways::PlannedWay& way, double at, std::span<const geom::Point> corners);
 
 /// Whether a way that was planned on other ground still leads where it did: nothing stands on it, and who is
 /// on it is no farther off than `stray` [m], nor near the end of one that was too long to be told. Between a
 /// body and where it heads for is nothing, either.
-/// @param off  becomes how far off the way one is [m]: on the same ground it leads on for whoever has moved
+/// @param on_route  null: the way leads along none
+/// @param off    becomes how far off the way one is [m]: on the same ground it leads on for whoever has moved
 /// less
 ///             than what is missing to `stray`, and for a body to the way's clearance; infinite where that is
 ///             not all
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const ways::PlannedWay& way,
-              geom::Point from, double stray, bool is_body, double& off);
+              geom::Point from, double stray, bool is_body, const OnRoute* on_route, double& off);
 
 /// So far ahead on a way is where who follows it heads for, where he is not told otherwise [m].
 inline constexpr double kLookahead = 2.0;
@@ -93,9 +76,6 @@ std::string what_blocks(const percept::KnownGround& ground, geom::Point from, ge
 /// goal.
 std::string no_way_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal);
 std::string beside_goal_text(const percept::KnownGround& ground, geom::Point last, geom::Point goal);
-/// Where corners of a route are left out.
-/// @param left_out  at least one
-std::string left_out_text(const percept::KnownGround& ground, std::span<const LeftOut> left_out);
 /// And where a robot that only reacts is in a trap.
 std::string trap_text(geom::Point here, bool stands, double seconds);
 

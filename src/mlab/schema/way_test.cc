@@ -11,6 +11,7 @@ namespace mlab::schema {
 namespace {
 
 using geom::Point;
+using geom::Vector;
 using ways::WayEnd;
 
 /// What is known, with what it consists of.
@@ -126,7 +127,7 @@ TEST(LeadsOn, NotWhereAWallIsBetweenABodyAndWhatItHeadsFor) {
   ASSERT_EQ(way.end, WayEnd::kGoal);
   const auto leads = [&](Point from, bool is_body) {
     double off = 0.0;
-    return leads_on(known.ground(), true, way, from, 5.0, is_body, off);
+    return leads_on(known.ground(), true, way, from, 5.0, is_body, nullptr, off);
   };
   EXPECT_TRUE(leads({101.0, 49.5}, true)) << "in the door";
   EXPECT_TRUE(leads({104.0, 44.0}, true)) << "beside the way, with nothing between";
@@ -265,7 +266,7 @@ TEST(LeadsOn, SaysHowFarOffTheWayOneIs) {
   way.end = WayEnd::kGoal;
   const auto off = [&] {
     double out = 0.0;
-    EXPECT_TRUE(leads_on(known.ground(), true, way, {20.0, 3.0}, 5.0, false, out));
+    EXPECT_TRUE(leads_on(known.ground(), true, way, {20.0, 3.0}, 5.0, false, nullptr, out));
     return out;
   };
   EXPECT_EQ(off(), 3.0);
@@ -278,9 +279,9 @@ TEST(LeadsOn, NotToAPlaceThatSomethingNewStandsAt) {
   const auto way = plan_way(known.ground(), {10.0, 20.0}, {150.0, 20.0}, 0.2, 5.0);
   known.revision = next_revision();
   double off = 0.0;
-  EXPECT_TRUE(leads_on(known.ground(), false, way, {10.0, 20.0}, 5.0, true, off));
+  EXPECT_TRUE(leads_on(known.ground(), false, way, {10.0, 20.0}, 5.0, true, nullptr, off));
   known.discs.push_back({{153.0, 20.0}, 6.0});
-  EXPECT_FALSE(leads_on(known.ground(), false, way, {10.0, 20.0}, 5.0, true, off));
+  EXPECT_FALSE(leads_on(known.ground(), false, way, {10.0, 20.0}, 5.0, true, nullptr, off));
 }
 
 // Whether it is known how long a way is makes no difference, to the last bit.

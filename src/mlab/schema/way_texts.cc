@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/counted.h"
+#include "mlab/schema/route_way.h"
 #include "mlab/schema/way.h"
 
 namespace mlab::schema {

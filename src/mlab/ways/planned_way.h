@@ -24,12 +24,17 @@ enum class WayEnd : std::uint32_t {
 struct PlannedWay {
   static constexpr std::size_t kMostCorners = 48;
   static constexpr double kNotKnown = -1.0;
+  static constexpr float kAnother = -1.0F;
 
   double clearance = 0.0;     ///< that it keeps from all that was known, but for its ends [m]
   double length = kNotKnown;  ///< of its pieces together [m]; who plans one says it, others need not
   std::uint16_t count = 0;    ///< of the corners; 0: there is no way
   std::uint16_t version = 0;  ///< another one: it was planned anew
   WayEnd end = WayEnd::kNowhere;
+  float beyond = 0.0F;  ///< how much of the route it leads along is still to come where it ends full [m]
+  /// It goes on along the line of the version before it, which began so far before this one [m]; `kAnother`:
+  /// it does not.
+  float cut_off = kAnother;
   std::array<geom::Point, kMostCorners> corners{};  ///< from where it begins to where it ends [m, world]
 
   /// Becomes another one. Corners that it has no use for stay as they are, so that they are not written.
@@ -39,7 +44,17 @@ struct PlannedWay {
     count = other.count;
     version = other.version;
     end = other.end;
+    beyond = other.beyond;
+    cut_off = other.cut_off;
     std::ranges::copy(other.points(), corners.begin());
+  }
+  /// Goes on to a corner, unless it is there. Where there is no room it ends full.
+  void append(geom::Point corner, std::size_t room = kMostCorners) {
+    if (count > 0 && distance(corners[count - 1], corner) < 1e-9) return;
+    if (count == room)
+      end = WayEnd::kFull;
+    else
+      corners[count++] = corner;
   }
   /// Whatever somebody else's program has left in `count`.
   std::span<const geom::Point> points() const {
