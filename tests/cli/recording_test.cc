@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <random>
 #include <string>
 
@@ -154,6 +155,20 @@ TEST_F(RecordingCommand, AreNotWrittenOverByWhatIsMadeOfThem) {
     EXPECT_EQ(out.status, 2) << arguments;
     EXPECT_TRUE(has(out.err, "another file goes there as well")) << out.err;
     EXPECT_FALSE(fs::exists(folder_ / "new"));
+  }
+}
+
+TEST_F(RecordingCommand, WritesOverNothingThatTheMissionReads) {
+  std::ofstream(folder_ / "map.odl") << "SITE x\nCONTROL MEASURES:\nOBJ G 30 10 5\n";
+  std::ofstream(folder_ / "on_map.mdl")
+      << "OVERLAY map.odl\nUNIT <a> ROBOT\nCOMMAND LIST:\n0. UNIT a START 5 5\n";
+  const std::string before = text_of(folder_ / "map.odl");
+  for (const char* const option : {"--report", "--plot", "--save-percepts"}) {
+    const Outcome out = mlab(std::string("run on_map.mdl --headless ") + option + " ./map.odl");
+    EXPECT_EQ(out.status, 2) << option;
+    EXPECT_TRUE(has(out.err, "that is the file of the mission itself, which would be overwritten"))
+        << out.err;
+    EXPECT_EQ(text_of(folder_ / "map.odl"), before) << option;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/counted.h"
+#include "mlab/cli/run_settings.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/recording/recording_binding.h"
 #include "mlab/simulated/run.h"
@@ -15,10 +16,18 @@ namespace {
 
 constexpr std::size_t kMostTold = 8;
 
+std::vector<NamedFile> files_read_for(const run::Crew& crew) {
+  std::vector<NamedFile> out;
+  for (const text::SourcePtr& text : run::texts_of(crew))
+    out.push_back({"file of the mission", std::string(text->name())});
+  return out;
+}
+
 }  // namespace
 
 bool RunBodies::open(RunOptions& options) {
   save_path_ = options.save_percepts;
+  outputs_ = outputs_of(options);
   if (options.percepts.empty()) return true;
   auto file = recording::PerceptsReader::open(options.percepts);
   if (!file) {
@@ -36,6 +45,10 @@ std::unique_ptr<run::MissionRun> RunBodies::make_run(const std::shared_ptr<const
                                                      text::Diagnostics& sink) {
   std::shared_ptr<const run::Crew> crew = run::check_crew(mission, sources, sink);
   if (!crew) return nullptr;
+  if (const std::string problem = problem_with_outputs(outputs_, files_read_for(*crew)); !problem.empty()) {
+    sink.error("output-is-read", {}, problem);
+    return nullptr;
+  }
   std::unique_ptr<binding::Binding> bodies;
   if (file_) {
     if (file_->head().mission() != mission->name)

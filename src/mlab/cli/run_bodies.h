@@ -2,8 +2,10 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mlab/cli/commands.h"
+#include "mlab/cli/places.h"
 #include "mlab/mission/mission.h"
 #include "mlab/recording/recorded_binding.h"
 #include "mlab/robot/program/robot_program.h"
@@ -34,6 +36,7 @@ class RunBodies {
  private:
   std::unique_ptr<recording::PerceptsReader> file_;  // until the run has it
   std::string save_path_;                            // empty: percepts are not written
+  std::vector<NamedFile> outputs_;                   // of the run: no file is written over what it reads
   std::shared_ptr<recording::PerceptsWriter> written_;
   const recording::RecordedBinding* read_ = nullptr;  // the run's
 };

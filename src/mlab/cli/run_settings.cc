@@ -42,13 +42,10 @@ std::optional<double> speed_of(const std::string& text, double default_speed) {
 
 // The files that the run leaves behind can be written, and nothing that it reads is among them.
 bool outputs_are_usable(const RunOptions& options) {
-  const std::string problem = problem_with_outputs({{"--report", options.report},
-                                                    {"--plot", options.plot},
-                                                    {"--save-percepts", options.save_percepts},
-                                                    {"--record", options.record}},
-                                                   {{"mission", options.mission},
-                                                    {"file of --environment", options.environment},
-                                                    {"file of --percepts", options.percepts}});
+  const std::string problem =
+      problem_with_outputs(outputs_of(options), {{"mission", options.mission},
+                                                 {"file of --environment", options.environment},
+                                                 {"file of --percepts", options.percepts}});
   if (!problem.empty()) {
     usage_error(problem);
     return false;
@@ -113,6 +110,13 @@ std::optional<std::string> settle_robots(const RunOptions& options, RunManner& o
 }
 
 }  // namespace
+
+std::vector<NamedFile> outputs_of(const RunOptions& options) {
+  return {{"--report", options.report},
+          {"--plot", options.plot},
+          {"--save-percepts", options.save_percepts},
+          {"--record", options.record}};
+}
 
 std::optional<RunManner> run_manner(const RunOptions& options, double default_speed) {
   const std::optional<double> speed = speed_of(options.speed, default_speed);

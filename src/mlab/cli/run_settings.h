@@ -3,10 +3,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mlab/cell/permission.h"
 #include "mlab/cli/clock.h"
 #include "mlab/cli/commands.h"
+#include "mlab/cli/places.h"
 #include "mlab/console/machine_watch.h"
 #include "mlab/lang/mdl/mdl.h"
 #include "mlab/preflight/gate.h"
@@ -27,6 +29,9 @@ struct RunManner {
 /// @param default_speed  where the options name none
 /// @return nothing where an option can't be understood; it is then told on standard error
 std::optional<RunManner> run_manner(const RunOptions& options, double default_speed);
+
+/// The files that a run leaves behind.
+std::vector<NamedFile> outputs_of(const RunOptions& options);
 
 /// What the programs of the command line's mission are found with.
 robot::ProgramSources mission_sources(const RunOptions& options, const cell::Permission& permission);

@@ -58,19 +58,13 @@ void HistoryWriter::put_mission(const run::Crew& crew, wire::HistoryMission& out
   out.set_folder(mission.folder);
   out.set_program_folder(mission.folder);
   std::set<std::uint32_t> texts;
-  const auto add = [&](const text::SourcePtr& source) {
-    if (source) texts.insert(id_of(source));
-  };
-  add(mission.source);
-  std::ranges::for_each(mission.texts, add);
+  for (const text::SourcePtr& source : run::texts_of(crew)) texts.insert(id_of(source));
   for (const robot::RobotProgram& program : crew.programs) {
     if (program.is_in_executable()) {
       out.add_executables(program.name);
       *out.add_programs() = answers_->describe(program);
     }
-    if (!program.origin) continue;
-    out.set_program_folder(program.origin->folder);
-    std::ranges::for_each(program.origin->texts, add);
+    if (program.origin) out.set_program_folder(program.origin->folder);
   }
   for (const std::uint32_t id : texts) out.add_texts(id);
   for (const std::string& line : mission.typed) out.add_typed(line);

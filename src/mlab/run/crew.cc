@@ -105,6 +105,19 @@ std::optional<robot::RobotProgram> load_program_of(const mission::RobotType& typ
 
 }  // namespace
 
+std::vector<text::SourcePtr> texts_of(const Crew& crew) {
+  std::vector<text::SourcePtr> out;
+  const auto add = [&](const text::SourcePtr& source) {
+    if (source && std::ranges::find(out, source) == out.end()) out.push_back(source);
+  };
+  add(crew.mission->source);
+  std::ranges::for_each(crew.mission->texts, add);
+  for (const robot::RobotProgram& program : crew.programs) {
+    if (program.origin) std::ranges::for_each(program.origin->texts, add);
+  }
+  return out;
+}
+
 std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mission,
                                       const robot::ProgramSources& sources, text::Diagnostics& sink,
                                       const Crew* before) {

@@ -18,6 +18,10 @@ struct Crew {
   std::vector<binding::BodySpec> bodies;            ///< likewise
 };
 
+/// All that was read for it, each once: the mission, its overlays and what these name, the configurations and
+/// networks of its programs.
+std::vector<text::SourcePtr> texts_of(const Crew& crew);
+
 /// @param before  a program that it has already is not built again; null: none
 /// @return null where there were errors, all in `sink`
 std::shared_ptr<const Crew> make_crew(std::shared_ptr<const mission::Mission> mission,
