@@ -170,6 +170,10 @@ TEST_F(RecordingCommand, WritesOverNothingThatTheMissionReads) {
         << out.err;
     EXPECT_EQ(text_of(folder_ / "map.odl"), before) << option;
   }
+  const Outcome page = mlab("run on_map.mdl --no-browser --report map.odl");
+  EXPECT_EQ(page.status, 2);
+  EXPECT_TRUE(has(page.err, "which would be overwritten")) << page.err;
+  EXPECT_EQ(text_of(folder_ / "map.odl"), before);
 }
 
 TEST_F(RecordingCommand, AreNeverWrittenOver) {

@@ -188,29 +188,54 @@ TEST_F(Planned, ARouteIsFollowedRoundWhatStandsOnIt) {
   }
 }
 
-// Drawn by hand, as by the console: more corners than a way can tell at once.
-TEST_F(Planned, ALineOfManyCornersIsFollowedToItsEnd) {
-  roads_ = "AXIS Winding";
-  for (int i = 0; i < 120; ++i)
-    roads_ += fmt::format(" {:.1f} {:.1f}", 50.0 + 7.0 * i, 200.0 + 50.0 * std::sin(i / 8.0));
-  roads_ += "\nAXIS Spiral";
-  for (int i = 0; i < 80; ++i)
-    roads_ += fmt::format(" {:.1f} {:.1f}", 450.0 + (20.0 + 2.0 * i) * std::cos(0.4 * i),
-                          200.0 + (20.0 + 2.0 * i) * std::sin(0.4 * i));
-  roads_ += "\n";
-  const auto follow = [&](const char* line, const char* formation, double metres) {
+// Drawn by hand, as by the console: more corners than a way can tell at once, dense ones, some by a wall, and
+// pieces that lead back or come by again, of which none may be left out.
+TEST_F(Planned, ALineIsFollowedToItsEndHoweverItIsDrawn) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const auto line = [](const char* name, int count, const auto& at) {
+    std::string out = fmt::format("AXIS {}", name);
+    for (int i = 0; i < count; ++i) out += fmt::format(" {:.2f} {:.2f}", at(i).x, at(i).y);
+    return out + "\n";
+  };
+  roads_ = line("Winding", 120,
+                [](int i) { return geom::Point{50.0 + 7.0 * i, 200.0 + 50.0 * std::sin(i / 8.0)}; });
+  roads_ += line("Spiral", 80, [](int i) {
+    const double radius = 20.0 + 2.0 * i;
+    return geom::Point{450.0 + radius * std::cos(0.4 * i), 200.0 + radius * std::sin(0.4 * i)};
+  });
+  roads_ += line("Rounds", 201, [&](int i) {
+    return geom::Point{450.0 + 80.0 * std::cos(i * kTurn / 100), 200.0 + 80.0 * std::sin(i * kTurn / 100)};
+  });
+  roads_ += line("There_And_Back", 6, [](int i) { return geom::Point{i % 2 == 0 ? 100.0 : 400.0, 200.0}; });
+  roads_ += line("Eight", 61, [&](int i) {
+    return geom::Point{450.0 + 130.0 * std::sin(i * kTurn / 60),
+                       200.0 + 90.0 * std::sin(2.0 * i * kTurn / 60)};
+  });
+  roads_ += line("Dense", 700, [](int i) { return geom::Point{100.0 + i, 300.0}; });
+  const auto follow = [&](const char* name, const char* formation, int robots, double metres,
+                          double spacing = 25.0) {
+    std::string unit;
+    for (int i = 0; i < robots; ++i) unit += " planner";
     make_run(fmt::format(
-        "MISSION-AREA 900 400\nOVERLAY road.odl\nNEW-ROBOT planner robot blue \"\" (formation_spacing = 25)\n"
-        "UNIT <team> planner planner planner planner\n"
-        "COMMAND LIST:\n0. UNIT team START 60 200 0 10\n1. UNIT team FOLLOW {} FORMATION {}\n",
-        line, formation));
-    EXPECT_TRUE(go(12'000)) << line << ", " << formation << "\n" << told_;
-    EXPECT_LT(run_->time(), 1.5 * metres / 4.0) << line << ", " << formation;
+        "MISSION-AREA 900 400\nOVERLAY road.odl\nNEW-ROBOT planner robot blue \"\" "
+        "(formation_spacing = {})\nUNIT <team>{}\n"
+        "COMMAND LIST:\n0. UNIT team START 60 200 0 10\n1. UNIT team FOLLOW AXIS-{} FORMATION {}\n",
+        spacing, unit, name, formation));
+    EXPECT_TRUE(go(14'000)) << name << ", " << formation << "\n" << told_;
+    EXPECT_LT(run_->time(), 1.5 * metres / 4.0 + 60.0) << name << ", " << formation;
+    EXPECT_GT(run_->time(), 0.8 * metres / 4.0) << name << ", " << formation;
     told_.clear();
   };
-  for (const char* formation : {"Column", "Line", "Wedge", "Diamond"})
-    follow("AXIS-Winding", formation, 975.0);
-  follow("AXIS-Spiral", "Column", 3100.0);
+  for (const char* formation : {"Column", "Line", "Wedge", "Diamond"}) follow("Winding", formation, 4, 975.0);
+  follow("Spiral", "Column", 4, 3100.0);
+  follow("Rounds", "Column", 1, 1005.0);
+  follow("Rounds", "Column", 4, 1005.0);
+  follow("There_And_Back", "Column", 1, 1500.0);
+  follow("There_And_Back", "Column", 4, 1500.0, 10.0);
+  follow("Eight", "Column", 1, 1075.0);
+  follow("Eight", "Wedge", 4, 1075.0, 10.0);
+  roads_ += "WALL Long 90 303 810 303\n";
+  follow("Dense", "Wedge", 4, 700.0, 10.0);
 }
 
 // The last one has to come out of a bow; without being told to, nobody waits for it.

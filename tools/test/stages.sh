@@ -18,22 +18,23 @@ waiting_jobs=$((jobs + (jobs + 1) / 2))
 idle_jobs=$((3 * jobs))
 
 # A test that fails only where the machine stands still for a moment is unsteady. A stage in which no more than these fail tries
-# each once more, alone, and names those that pass then; but none that crashed, or that a sanitizer spoke of.
+# each once more, alone, and names those that pass then; but none that crashed, hung, or that a sanitizer spoke of.
 unsteady_at_most=3
 
 run_ctest() {
-  local folder=$1 failed=$1/Testing/Temporary/LastTestsFailed.log said=$1/Testing/said names
+  local folder=$1 failed=$1/Testing/Temporary/LastTestsFailed.log said=$1/Testing/said names status=0
   shift
   mkdir -p "$folder/Testing"
   rm -f "$failed"
   local run=(ctest --test-dir "$folder" --output-on-failure --no-tests=ignore "${ctest_options[@]}")
   "${run[@]}" -j "$jobs" "$@" | tee "$said" && return
   [[ -f $failed ]] && (($(wc -l <"$failed") <= unsteady_at_most)) || return 1
-  ! grep -qE '\*\*\*Exception|Sanitizer: |runtime error: ' "$said" || return 1
+  ! grep -qE '\*\*\*(Exception|Timeout)|Sanitizer: |libFuzzer: |runtime error: ' "$said" || return 1
   names=$(cut -d: -f2- "$failed")
   echo "$tried_again"
-  "${run[@]}" -j 1 --rerun-failed || return 1
-  sed "s/^/$unsteady /" <<<"$names"
+  "${run[@]}" -j 1 --rerun-failed && : >"$failed" || status=1
+  { grep -vxFf <(cut -d: -f2- "$failed") <<<"$names" || true; } | sed "s/^/$unsteady /"
+  return "$status"
 }
 
 configure_test() {

@@ -348,7 +348,7 @@ RC_GTEST_PROP(Service, ARenamingCanBeTakenBack, ()) {
   RC_ASSERT(applied(changed.source, back->changes.front().splices) == content);
 }
 
-TEST(ServiceSpeed, AFileOfTenThousandLinesIsCompletedInTheTimeOfACheck) {
+TEST(ServiceSpeed, AFileOfTenThousandLinesIsCompletedInAboutTheTimeOfACheck) {
   const std::size_t size = base::kMegabyte * 2 / 5;  // ten thousand lines
   std::string content;
   for (int i = 0; content.size() < size; ++i) {

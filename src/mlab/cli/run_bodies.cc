@@ -16,13 +16,6 @@ namespace {
 
 constexpr std::size_t kMostTold = 8;
 
-std::vector<NamedFile> files_read_for(const run::Crew& crew) {
-  std::vector<NamedFile> out;
-  for (const text::SourcePtr& text : run::texts_of(crew))
-    out.push_back({"file of the mission", std::string(text->name())});
-  return out;
-}
-
 }  // namespace
 
 bool RunBodies::open(RunOptions& options) {
@@ -45,7 +38,8 @@ std::unique_ptr<run::MissionRun> RunBodies::make_run(const std::shared_ptr<const
                                                      text::Diagnostics& sink) {
   std::shared_ptr<const run::Crew> crew = run::check_crew(mission, sources, sink);
   if (!crew) return nullptr;
-  if (const std::string problem = problem_with_outputs(outputs_, files_read_for(*crew)); !problem.empty()) {
+  if (const std::string problem = problem_with_outputs(outputs_, files_read_for(*crew->mission, crew.get()));
+      !problem.empty()) {
     sink.error("output-is-read", {}, problem);
     return nullptr;
   }

@@ -118,6 +118,27 @@ std::vector<NamedFile> outputs_of(const RunOptions& options) {
           {"--record", options.record}};
 }
 
+std::vector<NamedFile> files_read_for(const mission::Mission& mission, const run::Crew* crew) {
+  std::vector<NamedFile> out;
+  const auto add = [&](const std::string& file) {
+    if (file.empty()) return;
+    out.push_back({"file of the mission", file});
+    // As an overlay or the mission itself may write it.
+    out.push_back({"file of the mission", (std::filesystem::path(mission.folder) / file).string()});
+  };
+  const auto add_text = [&](const text::SourcePtr& text) {
+    if (text) add(std::string(text->name()));
+  };
+  add_text(mission.source);
+  std::ranges::for_each(mission.texts, add_text);
+  if (crew != nullptr) std::ranges::for_each(run::texts_of(*crew), add_text);
+  for (const mission::RobotType& type : mission.types) add(type.program);
+  add(mission.overlay.map_file);
+  if (mission.overlay.map_picture) add(mission.overlay.map_picture->file);
+  if (mission.overlay.height_map) add(mission.overlay.height_map->file);
+  return out;
+}
+
 std::optional<RunManner> run_manner(const RunOptions& options, double default_speed) {
   const std::optional<double> speed = speed_of(options.speed, default_speed);
   if (!speed) {

@@ -32,6 +32,10 @@ std::optional<RunManner> run_manner(const RunOptions& options, double default_sp
 
 /// The files that a run leaves behind.
 std::vector<NamedFile> outputs_of(const RunOptions& options);
+/// The files that a mission is made from: itself, overlays and what these name, configurations and
+/// executables.
+/// @param crew  with those that its configurations name; null: they are not known yet
+std::vector<NamedFile> files_read_for(const mission::Mission& mission, const run::Crew* crew);
 
 /// What the programs of the command line's mission are found with.
 robot::ProgramSources mission_sources(const RunOptions& options, const cell::Permission& permission);

@@ -27,8 +27,8 @@ struct RouteWay {
   double behind = 0.0;  ///< so much of it is behind who is on it [m]
 };
 /// A way that leads from where one is to a route and along it to its end, round what stands on it: beside
-/// corners of the route that something stands at; those that no way leads to are left out, and those that it
-/// passes within half a metre it goes by.
+/// corners of the route that something stands at, or is nearer to than the way keeps, but for the last one.
+/// Those that no way leads to are left out; those in line, within 0.2 m, are passed without being told.
 /// @param corners  those of the route that are still to come [m, world]; at least one
 RouteWay plan_route(const percept::KnownGround& ground, geom::Point from,
                     std::span<const geom::Point> corners, double radius, double margin);
@@ -47,11 +47,11 @@ std::optional<RouteWay> go_on_along_route(const percept::KnownGround& ground, co
 /// Of corners that are left out those from the one of that number on.
 std::span<const LeftOut> not_told(std::span<const LeftOut> left_out, std::size_t from);
 
-/// How many corners of a route one has passed who is so far along a way that leads along it.
-/// @param since    how far along it one was when it was planned [m]
-/// @param corners  those that were still to come then [m, world]
-std::size_t corners_passed(const ways::PlannedWay& way, double since, double at,
-                           std::span<const geom::Point> corners);
+/// How many corners of a route one has passed who is so far along a way that leads along it [m]; never the
+/// last one.
+/// @param corners  those that were still to come when it was planned [m, world]
+std::size_t corners_passed(const ways::PlannedWay& way, double at, std::span<const geom::Point> corners);
+
 /// Where corners of a route are left out.
 /// @param left_out  at least one
 std::string left_out_text(const percept::KnownGround& ground, std::span<const LeftOut> left_out);

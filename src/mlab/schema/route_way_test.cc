@@ -35,7 +35,7 @@ RouteWay along(const std::vector<Point>& route) {
 
 TEST(RouteWay, GoesByCornersThatItPassesAnyway) {
   std::vector<Point> route;
-  for (int i = 0; i <= 50; ++i) route.push_back({2.0 * i, i % 2 == 0 ? 0.0 : 0.4});
+  for (int i = 0; i <= 50; ++i) route.push_back({2.0 * i, i % 2 == 0 ? 0.0 : 0.15});
   for (int i = 1; i <= 50; ++i) route.push_back({100.0, 2.0 * i});
   const RouteWay found = along(route);
   EXPECT_EQ(found.way.end, WayEnd::kGoal);
@@ -44,7 +44,7 @@ TEST(RouteWay, GoesByCornersThatItPassesAnyway) {
   const double length = way_length(found.way);
   for (const Point corner : route) {
     const Point nearest = point_on(found.way, nearest_on(found.way, corner, 0.0, length));
-    EXPECT_LE(distance(nearest, corner), 0.5);
+    EXPECT_LE(distance(nearest, corner), 0.2);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(RouteWay, GoesOnAlongItsLineToTheEnd) {
     const double before = at;
     at += 0.5 * (way_length(now.way) - at);
     gone += at - before;
-    passed += corners_passed(now.way, now.behind, at, std::span(route).subspan(passed));
+    passed += corners_passed(now.way, at, std::span(route).subspan(passed));
     const auto next = go_on_along_route({}, now.way, at, std::span(route).subspan(passed), kRadius, kMargin);
     ASSERT_TRUE(next);
     ASSERT_GE(next->way.cut_off, 0.0F);
@@ -97,7 +97,7 @@ TEST(RouteWay, DoesNotBeginBehindWhatStandsThereByNow) {
   const std::vector<Point> route = spiral(120);
   const RouteWay before = along(route);
   const double at = 0.5 * way_length(before.way);
-  const std::size_t passed = corners_passed(before.way, 0.0, at, route);
+  const std::size_t passed = corners_passed(before.way, at, route);
   const auto rest = std::span(route).subspan(passed);
   const std::vector<ways::Round> rocks = {{point_on(before.way, at - 60.0), 3.0}};
   percept::KnownGround ground;
@@ -126,6 +126,45 @@ TEST(RouteWay, DoesNotGoOnWhereNothingLeadsOn) {
   ground.walls = walls;
   const std::vector<Point> rest = {{200.0, 50.0}, {300.0, 0.0}};
   EXPECT_FALSE(go_on_along_route(ground, before.way, 150.0, rest, kRadius, kMargin));
+}
+
+TEST(RouteWay, CountsCornersOfALineThatComesByAgain) {
+  std::vector<Point> route;  // two rounds, dense
+  for (int i = 0; i <= 200; ++i)
+    route.push_back(
+        {50.0 * std::cos(i * std::numbers::pi / 50.0), 50.0 * std::sin(i * std::numbers::pi / 50.0)});
+  const RouteWay found = along(route);
+  for (double at = 1.0; at < way_length(found.way); at += 3.0) {
+    const std::size_t passed = corners_passed(found.way, at, route);
+    EXPECT_NEAR(static_cast<double>(passed), 1.0 + at / route_length(route) * 200.0, 2.0) << at;
+  }
+}
+
+TEST(RouteWay, PassesCornersBesideWhatTheyAreNearTo) {
+  std::vector<Point> route;
+  for (int i = 0; i <= 300; ++i) route.push_back({1.0 * i, 0.0});
+  const std::vector<geom::Segment> walls = {{{-50.0, 3.0}, {350.0, 3.0}}};
+  percept::KnownGround ground;
+  ground.revision = 1'000'003;
+  ground.walls = walls;
+  ground.bounds = {-100.0, -100.0, 400.0, 100.0};
+  const RouteWay found = plan_route(ground, route.front(), route, kRadius, kMargin);
+  EXPECT_EQ(found.way.end, WayEnd::kGoal);
+  EXPECT_LT(found.way.count, 10U) << "beside the wall, not to it and back for each of them";
+  EXPECT_LT(way_length(found.way), 310.0);
+  EXPECT_EQ(found.way.points().back(), route.back());
+}
+
+TEST(StationProgress, IsWhereTheStationIsNotWhereTheWayIsNearest) {
+  std::vector<Point> route;
+  for (int i = 0; i <= 40; ++i)
+    route.push_back(
+        {90.0 * std::sin(i * std::numbers::pi / 40.0), 90.0 - 90.0 * std::cos(i * std::numbers::pi / 40.0)});
+  const PlannedWay way = along(route).way;
+  for (const double at : {60.0, 120.0, 200.0}) {
+    for (const double left : {75.0, -75.0, 0.0})
+      EXPECT_NEAR(station_progress(way, left, beside_way(way, at, left), at - 20.0, at + 30.0), at, 1.0);
+  }
 }
 
 }  // namespace

@@ -474,4 +474,32 @@ double way_progress(const PlannedWay& way, geom::Point p, double from, double to
   return at;
 }
 
+geom::Point beside_way(const PlannedWay& way, double at, double left) {
+  constexpr double kHalf = 10.0;  // of the piece of the way that says where it leads [m]
+  const geom::Offset along = unit(way_point(way, at + kHalf) - way_point(way, at - kHalf));
+  return way_point(way, at) + geom::Offset{-along.y, along.x} * left;
+}
+
+double station_progress(const PlannedWay& way, double left, geom::Point p, double from, double to) {
+  constexpr double kStep = 2.0;  // [m]
+  constexpr int kMost = 1'000;   // that are looked at: a way may come from anybody, and say any length
+  double best = from;
+  double least = distance(beside_way(way, from, left), p);
+  for (int i = 1; i < kMost && from + kStep * i <= to; ++i) {
+    const double away = distance(beside_way(way, from + kStep * i, left), p);
+    if (away >= least) continue;
+    least = away;
+    best = from + kStep * i;
+  }
+  for (double step = 0.5 * kStep; step > 0.1; step *= 0.5) {
+    for (const double at : {best - step, best + step}) {
+      const double away = distance(beside_way(way, at, left), p);
+      if (at < from || at > to || away >= least) continue;
+      least = away;
+      best = at;
+    }
+  }
+  return best;
+}
+
 }  // namespace mlab::schema

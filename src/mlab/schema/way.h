@@ -132,4 +132,11 @@ double nearest_on(const ways::PlannedWay& way, geom::Point p, double from, doubl
 /// its length beyond its end [m].
 double way_progress(const ways::PlannedWay& way, geom::Point p, double from, double to);
 
+/// The place so far to the left of a way.
+geom::Point beside_way(const ways::PlannedWay& way, double at, double left);
+/// Where on a way somebody is whose place in a formation is so far to its left: where that place is nearest
+/// to him, to some tenths of a metre. Where the way turns that is not what of the way itself is nearest.
+/// @param from, to  where he is looked for [m]
+double station_progress(const ways::PlannedWay& way, double left, geom::Point p, double from, double to);
+
 }  // namespace mlab::schema

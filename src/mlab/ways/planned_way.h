@@ -36,6 +36,9 @@ struct PlannedWay {
   /// it does not.
   float cut_off = kAnother;
   std::array<geom::Point, kMostCorners> corners{};  ///< from where it begins to where it ends [m, world]
+  /// How many of the route's corners one has passed at each of them, of those that were to come when it was
+  /// planned.
+  std::array<std::uint16_t, kMostCorners> passed{};
 
   /// Becomes another one. Corners that it has no use for stay as they are, so that they are not written.
   void become(const PlannedWay& other) {
@@ -47,6 +50,7 @@ struct PlannedWay {
     beyond = other.beyond;
     cut_off = other.cut_off;
     std::ranges::copy(other.points(), corners.begin());
+    std::copy_n(other.passed.begin(), other.points().size(), passed.begin());
   }
   /// Goes on to a corner, unless it is there. Where there is no room it ends full.
   void append(geom::Point corner, std::size_t room = kMostCorners) {

@@ -174,6 +174,12 @@ Look look_at(const RunOptions& options, run::RunSettings& settings) {
     out.is_usable = changes.has_value() && !sink.has_errors();
     settings.environment = changes.value_or(overlay::EnvironmentChanges{});
   }
+  if (const std::string problem =
+          out.mission ? problem_with_outputs(outputs_of(options), files_read_for(*out.mission, nullptr)) : "";
+      !problem.empty()) {
+    out.is_usable = false;
+    sink.error("output-is-read", {}, problem);
+  }
   tell(told_of_run(sink, options));
   out.warnings = sink.warning_count();
   return out;
