@@ -211,6 +211,8 @@ TEST_F(Planned, ALineIsFollowedToItsEndHoweverItIsDrawn) {
     return geom::Point{450.0 + 130.0 * std::sin(i * kTurn / 60),
                        200.0 + 90.0 * std::sin(2.0 * i * kTurn / 60)};
   });
+  roads_ +=
+      line("Comb", 66, [](int i) { return geom::Point{100.0 + 20.0 * (i / 3), i % 3 == 1 ? 314.0 : 300.0}; });
   roads_ += line("Dense", 700, [](int i) { return geom::Point{100.0 + i, 300.0}; });
   const auto follow = [&](const char* name, const char* formation, int robots, double metres,
                           double spacing = 25.0) {
@@ -233,6 +235,7 @@ TEST_F(Planned, ALineIsFollowedToItsEndHoweverItIsDrawn) {
   follow("There_And_Back", "Column", 1, 1500.0);
   follow("There_And_Back", "Column", 4, 1500.0, 10.0);
   follow("Eight", "Column", 1, 1075.0);
+  follow("Comb", "Wedge", 4, 1060.0, 10.0);
   follow("Eight", "Wedge", 4, 1075.0, 10.0);
   roads_ += "WALL Long 90 303 810 303\n";
   follow("Dense", "Wedge", 4, 700.0, 10.0);
