@@ -45,11 +45,18 @@ TEST(DdsPresence, OfAProcessThatIsStoppedIsLostAndComesBackWithIt) {
   for (int i = 0; i < 2; ++i) {
     const auto stopped = Clock::now();
     peer.signal(SIGSTOP);
-    EXPECT_LT(first_of(arrivals(waits, life, Kind::kSilent), Kind::kSilent).noticed - stopped,
-              milliseconds(1000));
+    const auto gone = arrivals(waits, life, Kind::kSilent);
+    EXPECT_EQ(first_of(gone, Kind::kSilent).sender, came.sender);
+    EXPECT_LT(first_of(gone, Kind::kSilent).noticed - stopped, milliseconds(1000));
     peer.signal(SIGCONT);
-    EXPECT_EQ(first_of(arrivals(waits, life, Kind::kAlive), Kind::kAlive).sender, came.sender);
-    EXPECT_EQ(life.senders(), std::vector{came.sender});
+    // On a busy machine it may have been silent, and come back, just before it was stopped.
+    const bool was_back = first_of(gone, Kind::kAlive).sender == came.sender;
+    const auto back = was_back ? gone : arrivals(waits, life, Kind::kAlive);
+    EXPECT_EQ(first_of(back, Kind::kAlive).sender, came.sender);
+    EXPECT_TRUE(comes_true(waits, [&] {
+      life.take();
+      return life.senders() == std::vector{came.sender};
+    }));
   }
 }
 
