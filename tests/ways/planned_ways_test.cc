@@ -211,8 +211,10 @@ TEST_F(Planned, ALineIsFollowedToItsEndHoweverItIsDrawn) {
     return geom::Point{450.0 + 130.0 * std::sin(i * kTurn / 60),
                        200.0 + 90.0 * std::sin(2.0 * i * kTurn / 60)};
   });
-  roads_ +=
-      line("Comb", 66, [](int i) { return geom::Point{100.0 + 20.0 * (i / 3), i % 3 == 1 ? 314.0 : 300.0}; });
+  roads_ += line("Comb", 66, [](int i) {
+    const int tooth = i / 3;
+    return geom::Point{100.0 + 20.0 * tooth, i % 3 == 1 ? 314.0 : 300.0};
+  });
   roads_ += line("Dense", 700, [](int i) { return geom::Point{100.0 + i, 300.0}; });
   const auto follow = [&](const char* name, const char* formation, int robots, double metres,
                           double spacing = 25.0) {

@@ -491,7 +491,10 @@ double station_progress(const PlannedWay& way, double left, geom::Point p, doubl
     least = away;
     best = from + kStep * i;
   }
-  for (double step = 0.5 * kStep; step > 0.1; step *= 0.5) {
+  constexpr int kHalvings = 4;
+  double step = kStep;
+  for (int i = 0; i < kHalvings; ++i) {
+    step *= 0.5;
     for (const double at : {best - step, best + step}) {
       const double away = distance(beside_way(way, at, left), p);
       if (at < from || at > to || away >= least) continue;
