@@ -178,7 +178,7 @@ TEST_F(SecuredFleet, LeavesOneWhoseIdentityRunsOutAndSaysSo) {
   bring_made("north", base(), north_host);
   Process north = secured_agent("north");
   EXPECT_TRUE(
-      north.output().contains("warning: the identity by which it belongs to the fleet runs out in less"))
+      north.prints("warning: the identity by which it belongs to the fleet runs out in less", kFleetPatience))
       << north.output();
   const Said keys = mlab(base(), {"keys", "alpha"});
   EXPECT_TRUE(
