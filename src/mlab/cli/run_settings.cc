@@ -120,11 +120,15 @@ std::vector<NamedFile> outputs_of(const RunOptions& options) {
 
 std::vector<NamedFile> files_read_for(const mission::Mission& mission, const run::Crew* crew) {
   std::vector<NamedFile> out;
+  // As it is written from here, or from the mission's folder; what is no file, as a robot of the library, is
+  // not written over.
   const auto add = [&](const std::string& file) {
-    if (file.empty()) return;
-    out.push_back({"file of the mission", file});
-    // As an overlay or the mission itself may write it.
-    out.push_back({"file of the mission", (std::filesystem::path(mission.folder) / file).string()});
+    std::error_code unknown;
+    for (const std::filesystem::path& path :
+         {std::filesystem::path(file), mission.folder / std::filesystem::path(file)}) {
+      if (!file.empty() && std::filesystem::exists(path, unknown))
+        out.push_back({"file of the mission", path.string()});
+    }
   };
   const auto add_text = [&](const text::SourcePtr& text) {
     if (text) add(std::string(text->name()));

@@ -361,10 +361,21 @@ bool is_open(const percept::KnownGround& ground, const PlannedWay& way) {
   return true;
 }
 
+namespace {
+
+// What is so far to the left of the middle of a piece of a way, which says where it leads.
+template <class WayAt>
+geom::Point beside(const WayAt& way_at, geom::Point middle, double at, double left) {
+  constexpr double kHalf = 10.0;  // of that piece [m]
+  const geom::Offset along = unit(way_at(at + kHalf) - way_at(at - kHalf));
+  return middle + geom::Offset{-along.y, along.x} * left;
+}
+
+}  // namespace
+
 PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& way, geom::Vector station,
                         const std::function<double()>& in_file, double at, geom::Point here, double away) {
   constexpr double kStep = 2.0;         // [m]
-  constexpr double kHalf = 10.0;        // of the piece of the way that says where it leads [m]
   constexpr int kMostPlaces = 100'000;  // that are looked at: a way may come from anybody, and say any length
   const auto points = way.points();
   if (points.empty()) return {here, at};
@@ -384,8 +395,7 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
   };
   const auto place_at = [&](double there) {
     const geom::Point middle = way_at(there);
-    const geom::Offset along = unit(way_at(there + kHalf) - way_at(there - kHalf));
-    const geom::Point place = middle + geom::Offset{-along.y, along.x} * station.y;
+    const geom::Point place = beside(way_at, middle, there, station.y);
     if (ground.walls.empty()) return place;
     const geom::Point nearest = way_at(std::clamp(there, 0.0, length));
     if (!is_apart(nearest, middle) && !is_apart(middle, place)) return place;
@@ -475,9 +485,8 @@ double way_progress(const PlannedWay& way, geom::Point p, double from, double to
 }
 
 geom::Point beside_way(const PlannedWay& way, double at, double left) {
-  constexpr double kHalf = 10.0;  // of the piece of the way that says where it leads [m]
-  const geom::Offset along = unit(way_point(way, at + kHalf) - way_point(way, at - kHalf));
-  return way_point(way, at) + geom::Offset{-along.y, along.x} * left;
+  const auto way_at = [&](double there) { return way_point(way, there); };
+  return beside(way_at, way_at(at), at, left);
 }
 
 double station_progress(const PlannedWay& way, double left, geom::Point p, double from, double to) {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <span>
 #include <string>
 
@@ -54,10 +53,9 @@ struct OnRoute {
 /// on it is no farther off than `stray` [m], nor near the end of one that was too long to be told. Between a
 /// body and where it heads for is nothing, either.
 /// @param on_route  null: the way leads along none
-/// @param off    becomes how far off the way one is [m]: on the same ground it leads on for whoever has moved
-/// less
-///             than what is missing to `stray`, and for a body to the way's clearance; infinite where that is
-///             not all
+/// @param off       becomes how far off the way one is [m]: on the same ground it leads on for whoever has
+///                  moved less than what is missing to `stray`, and for a body to the way's clearance;
+///                  infinite where that is not all
 bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const ways::PlannedWay& way,
               geom::Point from, double stray, bool is_body, const OnRoute* on_route, double& off);
 
@@ -132,11 +130,30 @@ double nearest_on(const ways::PlannedWay& way, geom::Point p, double from, doubl
 /// its length beyond its end [m].
 double way_progress(const ways::PlannedWay& way, geom::Point p, double from, double to);
 
-/// The place so far to the left of a way.
+/// The place so far to the left of a way [m].
 geom::Point beside_way(const ways::PlannedWay& way, double at, double left);
 /// Where on a way somebody is whose place in a formation is so far to its left: where that place is nearest
 /// to him, to some tenths of a metre. Where the way turns that is not what of the way itself is nearest.
 /// @param from, to  where he is looked for [m]
 double station_progress(const ways::PlannedWay& way, double left, geom::Point p, double from, double to);
+
+/// How far along a way somebody has come, and since when he has come no farther: then he may have left out a
+/// piece.
+struct Advance {
+  double at = 0.0;          ///< [m]
+  double farther = 0.0;     ///< where he was when he had come farther last [m]
+  double farther_at = 0.0;  ///< when that was [s]
+
+  void begin(double place, double time) { *this = {place, place, time}; }
+  /// @param is_excused  he is not to come farther
+  void note(double time, bool is_excused) {
+    constexpr double kFarther = 1.0;  // [m]
+    if (is_excused || at > farther + kFarther) begin(at, time);
+  }
+  bool rests(double time) const {
+    constexpr double kPatience = 5.0;  // [s]
+    return time - farther_at > kPatience;
+  }
+};
 
 }  // namespace mlab::schema

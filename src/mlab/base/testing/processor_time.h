@@ -28,7 +28,7 @@ constexpr int examples(int all) {
 }
 
 /// How many steps it is to the next of examples that are many and alike: a slow build tries every fourth.
-constexpr std::size_t kNextExample = kIsSlowBuild ? 4 : 1;
+inline constexpr std::size_t kNextExample = kIsSlowBuild ? 4 : 1;
 
 /// The length of a text that tests of speed call a megabyte. A slow build, which looks for other mistakes,
 /// reads a thirty-second of it.
