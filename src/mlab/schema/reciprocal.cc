@@ -156,17 +156,10 @@ geom::Offset reciprocal_velocity(geom::Offset wanted, geom::Offset now, std::spa
   return least_lack(lines.all(), hard, best.met, fastest, best.velocity);
 }
 
-geom::Offset SeenRobots::velocity(base::RobotId robot, geom::Point place, double dt,
-                                  std::size_t about) const {
+geom::Offset SeenRobots::velocity_of(base::RobotId robot, geom::Point place, double dt) const {
   const auto seen = std::span(seen_).first(count_);
-  const bool is_there = about < count_ && seen[about].robot == robot;
-  const auto before = is_there ? seen.begin() + static_cast<std::ptrdiff_t>(about)
-                               : std::ranges::find(seen, robot, &Seen::robot);
+  const auto before = std::ranges::find(seen, robot, &Seen::robot);
   return before == seen.end() || dt <= 0.0 ? geom::Offset{} : (place - before->place) * (1.0 / dt);
-}
-
-void SeenRobots::add(base::RobotId robot, geom::Point place) {
-  if (count_ < seen_.size()) seen_[count_++] = {robot, place};
 }
 
 }  // namespace mlab::schema

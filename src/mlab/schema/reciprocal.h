@@ -35,18 +35,36 @@ struct Traffic {
 geom::Offset reciprocal_velocity(geom::Offset wanted, geom::Offset now, std::span<const Traffic> traffic,
                                  double cycle, double fastest);
 
+/// Whether the wanted velocity is permitted by somebody so clearly that less than reciprocal_velocity looks
+/// at tells it: where it is by all, and not faster than the fastest, that is what is chosen. No velocity,
+/// relative to who is so far away, that is shorter than what is between the two by the time that one looks
+/// ahead meets him; what the velocity now lacks of that is between it and the line which he draws.
+inline bool is_clear_of(const Traffic& other, geom::Offset wanted, geom::Offset now) {
+  constexpr double kRounding = 1e-6;  // [m/s]
+  const double lacks = (length(other.place) - other.reach) / other.horizon - length(now - other.velocity);
+  return length(wanted - now) + kRounding <= (other.shares ? 0.5 : 1.0) * lacks;
+}
+
 /// Where robots were in the cycle before, so that it can be seen how fast they are. Trivially copyable, so it
 /// can be the state of a procedure.
 class SeenRobots {
  public:
   /// @param about  it was the one that was added after so many others, probably
   /// @return       how fast the robot at this place is [m/s, world]; zero where it was not seen before
-  geom::Offset velocity(base::RobotId robot, geom::Point place, double dt, std::size_t about = 0) const;
+  geom::Offset velocity(base::RobotId robot, geom::Point place, double dt, std::size_t about = 0) const {
+    if (about < count_ && seen_[about].robot == robot && dt > 0.0)
+      return (place - seen_[about].place) * (1.0 / dt);
+    return velocity_of(robot, place, dt);
+  }
   /// What is to be known in the next cycle; those that don't fit are forgotten.
   void clear() { count_ = 0; }
-  void add(base::RobotId robot, geom::Point place);
+  void add(base::RobotId robot, geom::Point place) {
+    if (count_ < seen_.size()) seen_[count_++] = {robot, place};
+  }
 
  private:
+  geom::Offset velocity_of(base::RobotId robot, geom::Point place, double dt) const;
+
   struct Seen {
     base::RobotId robot;
     geom::Point place;

@@ -51,6 +51,39 @@ TEST(ReciprocalVelocity, KeepsOffWhatStandsThoughSomethingPassesOverIt) {
   EXPECT_LE(v.x, 0.1) << "nor towards what comes";
 }
 
+TEST(ReciprocalVelocity, IsTheWantedOneWhereAllAreClearlyOutOfItsWay) {
+  base::Random random(14);
+  const auto offset = [&](double most) {
+    return Offset{random.uniform(-most, most), random.uniform(-most, most)};
+  };
+  int clear = 0;
+  constexpr int kExamples = 100'000;
+  for (int i = 0; i < kExamples; ++i) {
+    const Offset wanted = offset(3.0);
+    const Offset now = offset(3.0);
+    std::vector<Traffic> traffic;
+    for (int k = 0; k < 1 + i % 4; ++k) {
+      const bool shares = random.uniform(0.0, 1.0) < 0.5;
+      traffic.push_back({offset(40.0), offset(5.0), random.uniform(0.1, 8.0), random.uniform(0.1, 4.0),
+                         shares, !shares && i % 3 == 0});
+    }
+    if (!std::ranges::all_of(traffic, [&](const Traffic& one) { return is_clear_of(one, wanted, now); }))
+      continue;
+    ++clear;
+    ASSERT_EQ(reciprocal_velocity(wanted, now, traffic, 0.1, 5.0), wanted) << i;
+  }
+  EXPECT_GT(clear, kExamples / 20) << "else nothing was looked at";
+  EXPECT_LT(clear, kExamples - kExamples / 20);
+}
+
+TEST(ReciprocalVelocity, IsNotClearOfWhomItWouldMeet) {
+  // Nine metres are between them, and they come nearer by 2.9 and by 3.1 in each of three seconds.
+  const Traffic ahead{{10.0, 0.0}, {-2.0, 0.0}, 1.0, 3.0, true};
+  EXPECT_TRUE(is_clear_of(ahead, {0.9, 0.0}, {0.9, 0.0}));
+  EXPECT_FALSE(is_clear_of(ahead, {1.1, 0.0}, {1.1, 0.0}));
+  EXPECT_FALSE(is_clear_of({{0.5, 0.0}, {}, 1.0, 3.0, true}, {}, {})) << "who is too near already";
+}
+
 /// Bodies that all keep clear by the rule, each on its way to a place.
 struct Crowd {
   struct Body {

@@ -37,16 +37,15 @@ Surroundings::Surroundings(const percept::Percepts& percepts, const Spacing& spa
       robots_(robots),
       here_(percepts.pose.position),
       before_(before),
-      cos_(geom::ahead_of(percepts.pose.heading).x),
-      sin_(geom::ahead_of(percepts.pose.heading).y),
+      ahead_(geom::ahead_of(percepts.pose.heading)),
       near_(2.0 * spacing.horizon * spacing.fastest),
       step_(percepts.cycle_duration * spacing.fastest) {
   add_edges();
-  add_walls();
-  add_obstacles();
+  if (!percepts.ground.walls.empty()) add_walls();
+  if (!obstacles.empty()) add_obstacles();
   add_robots(seen);
-  bar_robots();
-  bar_ends_of_walls();
+  if (is_crowded_) bar_robots();
+  if (wall_count_ > 0) bar_ends_of_walls();
 }
 
 // The edge of the area holds who is within it.
@@ -61,6 +60,7 @@ void Surroundings::add_edges() {
   const auto& area = percepts_.ground.bounds;
   const Offset low = Point{area.x0, area.y0} - here_;
   const Offset high = Point{area.x1, area.y1} - here_;
+  if (std::min({-low.x, -low.y, high.x, high.y}) > step_) return;
   add(-low.x, {-1, 0});
   add(-low.y, {0, -1});
   add(high.x, {1, 0});
@@ -117,23 +117,28 @@ void Surroundings::add_robots(SeenRobots& seen) {
     const Offset place = to_world(robots_[i].center);
     others_.add({place, seen.velocity(robots_[i].id, here_ + place, percepts_.cycle_duration, i),
                  length(robots_[i].center)});
+    is_crowded_ = is_crowded_ || room_to(i) < 2.0 * step_;
   }
   seen.clear();
   for (std::size_t i = 0; i < robots_.size(); ++i) seen.add(robots_[i].id, here_ + others_[i].place);
+}
+
+double Surroundings::room_to(std::size_t robot) const {
+  const double bodies = robots_[robot].radius + spacing_.radius;
+  return std::max(0.0, others_[robot].away - bodies - kLeast);
 }
 
 // Half of what is between them, so that they can't touch. More of it where the other one went away from it,
 // which takes as much from its own half: so each takes less where it was itself that did.
 void Surroundings::bar_robots() {
   for (std::size_t i = 0; i < robots_.size() && !bars_.is_full(); ++i) {
-    const double bodies = robots_[i].radius + spacing_.radius;
-    const double room = std::max(0.0, others_[i].away - bodies - kLeast);
+    const double room = room_to(i);
     if (room >= 2.0 * step_) continue;
     const Offset place = others_[i].place;
     const double gone = percepts_.cycle_duration * dot(others_[i].velocity, unit(place));
     const double went = dot(before_ - here_, unit(place));
     const double share = 0.5 * (room + std::clamp(gone, 0.0, room) - std::clamp(went, 0.0, room));
-    bars_.add({at_point(place), bodies, share});
+    bars_.add({at_point(place), robots_[i].radius + spacing_.radius, share});
   }
 }
 
@@ -157,9 +162,7 @@ bool Surroundings::hides_somebody(std::size_t which, Point end) const {
 // half of what is between them at least.
 void Surroundings::bar_ends_of_walls() {
   constexpr double kCrowd = 3.0;  // [m]
-  if (wall_count_ == 0 ||
-      std::ranges::none_of(others_.all(), [](const Other& other) { return other.away < kCrowd; }))
-    return;
+  if (std::ranges::none_of(others_.all(), [](const Other& other) { return other.away < kCrowd; })) return;
   for (std::size_t i = 0; i < wall_count_; ++i) {
     for (const Point end : {walls_[i].a, walls_[i].b}) {
       const double share = 0.5 * std::max(0.0, distance(end, here_) - spacing_.radius);
@@ -195,10 +198,24 @@ WayMade Surroundings::give_way_at(Offset wanted, const SideRoom& room) const {
   return make_way(wanted, spacing_.radius, spacing_.gap, room, met.all());
 }
 
-Offset Surroundings::clear_velocity(const WayMade& made, double fastest) const {
+bool Surroundings::is_clear(Offset wanted, Offset now, double gap) const {
+  for (const auto& list : {standing_.all(), passing_.all()}) {
+    for (const Traffic& one : list) {
+      if (!is_clear_of(one, wanted, now)) return false;
+    }
+  }
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const auto& [place, velocity, away] = others_[i];
+    if (away > near_) continue;
+    const double reach = robots_[i].radius + spacing_.radius + gap;
+    if (!is_clear_of({place, velocity, reach, spacing_.horizon, true}, wanted, now)) return false;
+  }
+  return true;
+}
+
+Offset Surroundings::least_change(Offset wanted, Offset now, double gap, double fastest) const {
   base::UpTo<Traffic, kMostTraffic> traffic;
   for (const Traffic& one : standing_) traffic.add(one);
-  bool is_alone = true;
   for (const bool shares : {false, true}) {
     const std::size_t room = kMostTraffic - (shares ? 0 : passing_.size());
     for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -207,17 +224,25 @@ Offset Surroundings::clear_velocity(const WayMade& made, double fastest) const {
       if ((length(velocity) > kStands) != shares) continue;
       constexpr double kLeastGap = 0.25;  // of the gap: nearer than that one flees
       const double bodies = robots_[i].radius + spacing_.radius;
-      const double apart = std::clamp(length(place), bodies + kLeastGap * spacing_.gap, bodies + made.gap);
+      const double apart = std::clamp(length(place), bodies + kLeastGap * spacing_.gap, bodies + gap);
       traffic.add({place, velocity, apart, spacing_.horizon, shares});
-      is_alone = is_alone && away > 0.5 * near_;
     }
     for (std::size_t i = 0; i < passing_.size() && !shares; ++i) traffic.add(passing_[i]);
   }
-  Offset wanted = made.wanted;
-  if (!is_alone) wanted = wanted + Offset{wanted.y, -wanted.x} * kToTheRight;
+  return reciprocal_velocity(wanted, now, traffic.all(), percepts_.cycle_duration, fastest);
+}
+
+Offset Surroundings::clear_velocity(const WayMade& made, double fastest) const {
+  const double most = std::max(fastest, kStands);
   const double dt = percepts_.cycle_duration;
   const Offset now = dt > 0.0 ? (here_ - before_) * (1.0 / dt) : Offset{};
-  const Offset chosen = reciprocal_velocity(wanted, now, traffic.all(), dt, std::max(fastest, kStands));
+  const bool is_alone =
+      std::ranges::none_of(others_.all(), [&](const Other& other) { return other.away <= 0.5 * near_; });
+  Offset wanted = made.wanted;
+  if (!is_alone) wanted = wanted + Offset{wanted.y, -wanted.x} * kToTheRight;
+  const bool is_free = length(wanted) <= most && is_clear(wanted, now, made.gap);
+  const Offset chosen = is_free ? wanted : least_change(wanted, now, made.gap, most);
+  if (bars_.size() == 0) return chosen;
   const Offset motion = chosen * dt;
   const Offset clear = clear_motion(motion, bars_.all());
   return clear == motion ? chosen : clear * (1.0 / dt);

@@ -36,10 +36,12 @@ class Surroundings {
   Surroundings(const percept::Percepts& percepts, const Spacing& spacing, const ObstacleList& obstacles,
                const RobotList& robots, geom::Point before, SeenRobots& seen);
 
-  geom::Offset to_world(geom::Vector v) const { return {cos_ * v.x - sin_ * v.y, sin_ * v.x + cos_ * v.y}; }
+  geom::Offset to_world(geom::Vector v) const {
+    return {ahead_.x * v.x - ahead_.y * v.y, ahead_.y * v.x + ahead_.x * v.y};
+  }
   /// In the plane.
   geom::Vector to_robot(geom::Offset v) const {
-    return {cos_ * v.x + sin_ * v.y, cos_ * v.y - sin_ * v.x, 0.0};
+    return {ahead_.x * v.x + ahead_.y * v.y, ahead_.x * v.y - ahead_.y * v.x, 0.0};
   }
 
   /// What a body wants that lets those pass whom it meets in a narrow place.
@@ -61,11 +63,14 @@ class Surroundings {
   bool is_known_wall(const percept::Obstacle& seen) const;
   void add_obstacles();
   void add_robots(SeenRobots& seen);
+  double room_to(std::size_t robot) const;
   void bar_robots();
   void bar_ends_of_walls();
   /// Whether somebody may stand unseen behind that end of a wall: nothing goes straight on from it.
   bool hides_somebody(std::size_t wall, geom::Point end) const;
   WayMade give_way_at(geom::Offset wanted, const SideRoom& room) const;
+  bool is_clear(geom::Offset wanted, geom::Offset now, double gap) const;
+  geom::Offset least_change(geom::Offset wanted, geom::Offset now, double gap, double fastest) const;
 
   const percept::Percepts& percepts_;
   Spacing spacing_;
@@ -73,15 +78,15 @@ class Surroundings {
   const RobotList& robots_;
   geom::Point here_;
   geom::Point before_;
-  double cos_;
-  double sin_;
-  double near_;  // who is farther away is not looked at [m]
-  double step_;  // that it comes at most in a cycle [m]
+  geom::Offset ahead_;  // of length 1, where it looks [world]
+  double near_;         // who is farther away is not looked at [m]
+  double step_;         // that it comes at most in a cycle [m]
   std::size_t wall_count_ = 0;
   std::array<geom::Segment, 6> walls_;
   base::UpTo<Traffic, 12> standing_;  // the walls first
   base::UpTo<Traffic, 6> passing_;
   base::UpTo<Bar, 48> bars_;
+  bool is_crowded_ = false;                            // it may come to somebody in the cycle that comes
   base::UpTo<Other, flow::Robots::kCapacity> others_;  // by place in the list of robots
 };
 
