@@ -25,6 +25,22 @@ geom::Point route_point(std::span<const geom::Point> route, double way) {
   return route.back();
 }
 
+std::array<geom::Point, 3> route_points(std::span<const geom::Point> route, std::array<double, 3> ways) {
+  std::array<geom::Point, 3> out{};
+  if (route.empty()) return out;
+  out.fill(route.back());
+  std::size_t found = 0;
+  for (; found < out.size() && !(ways[found] > 0.0); ++found) out[found] = route.front();
+  for (std::size_t i = 1; i < route.size() && found < out.size(); ++i) {
+    const geom::Offset along = route[i] - route[i - 1];
+    const double leg = geom::length(along);
+    for (; found < out.size() && ways[found] < leg; ++found)
+      out[found] = route[i - 1] + along * (ways[found] / leg);
+    for (std::size_t k = found; k < out.size(); ++k) ways[k] -= leg;
+  }
+  return out;
+}
+
 double nearest_way(std::span<const geom::Point> route, geom::Point p, double from, double to) {
   double best = from;
   double best_distance2 = std::numeric_limits<double>::infinity();

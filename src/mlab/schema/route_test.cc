@@ -29,6 +29,17 @@ TEST(Route, HoldsAtItsEnds) {
   EXPECT_EQ(route_point(kCorner, 99.0), (Point{10.0, 10.0}));
 }
 
+TEST(Route, TellsThreePlacesAsOneByOne) {
+  for (const auto& route : {kCorner, kHairpin, {}, {{2.0, 3.0}}, {{2.0, 3.0}, {2.0, 3.0}}}) {
+    for (double at = -15.0; at < 35.0; at += 0.7) {
+      const auto three = route_points(route, {at - 10.0, at, at + 5.3});
+      EXPECT_EQ(three[0], route_point(route, at - 10.0)) << at;
+      EXPECT_EQ(three[1], route_point(route, at)) << at;
+      EXPECT_EQ(three[2], route_point(route, at + 5.3)) << at;
+    }
+  }
+}
+
 TEST(Route, FindsTheNearestPlace) {
   EXPECT_DOUBLE_EQ(nearest_way(kCorner, {4.0, -3.0}, 0.0, 20.0), 4.0);
   EXPECT_DOUBLE_EQ(nearest_way(kCorner, {12.0, 6.0}, 0.0, 20.0), 16.0);

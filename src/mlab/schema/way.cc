@@ -363,12 +363,20 @@ bool is_open(const percept::KnownGround& ground, const PlannedWay& way) {
 
 namespace {
 
-// What is so far to the left of the middle of a piece of a way, which says where it leads.
-template <class WayAt>
-geom::Point beside(const WayAt& way_at, geom::Point middle, double at, double left) {
-  constexpr double kHalf = 10.0;  // of that piece [m]
-  const geom::Offset along = unit(way_at(at + kHalf) - way_at(at - kHalf));
-  return middle + geom::Offset{-along.y, along.x} * left;
+constexpr double kHalf = 10.0;  // of a piece of a way that says where it leads [m]
+
+/// Its beginning, its middle, its end.
+using Piece = std::array<geom::Point, 3>;
+
+// What is so far to the left of its middle.
+geom::Point beside(const Piece& piece, double left) {
+  const geom::Offset along = unit(piece[2] - piece[0]);
+  return piece[1] + geom::Offset{-along.y, along.x} * left;
+}
+
+// Whether all of the piece of it around a place is on a way of several pieces, and not beyond its ends.
+bool is_within(const PlannedWay& way, double length, double at) {
+  return !is_straight(way) && at - kHalf >= 0.0 && at + kHalf <= length;
 }
 
 }  // namespace
@@ -393,9 +401,14 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     return is_one_piece && there > 0.0 && there < length ? points.front() + whole * (there / length)
                                                          : way_point(way, there);
   };
+  const auto piece_at = [&](double there) {
+    if (is_within(way, length, there)) return route_points(points, {there - kHalf, there, there + kHalf});
+    return Piece{way_at(there - kHalf), way_at(there), way_at(there + kHalf)};
+  };
   const auto place_at = [&](double there) {
-    const geom::Point middle = way_at(there);
-    const geom::Point place = beside(way_at, middle, there, station.y);
+    const Piece piece = piece_at(there);
+    const geom::Point middle = piece[1];
+    const geom::Point place = beside(piece, station.y);
     if (ground.walls.empty()) return place;
     const geom::Point nearest = way_at(std::clamp(there, 0.0, length));
     if (!is_apart(nearest, middle) && !is_apart(middle, place)) return place;
@@ -485,8 +498,9 @@ double way_progress(const PlannedWay& way, geom::Point p, double from, double to
 }
 
 geom::Point beside_way(const PlannedWay& way, double at, double left) {
-  const auto way_at = [&](double there) { return way_point(way, there); };
-  return beside(way_at, way_at(at), at, left);
+  if (is_within(way, way_length(way), at))
+    return beside(route_points(way.points(), {at - kHalf, at, at + kHalf}), left);
+  return beside({way_point(way, at - kHalf), way_point(way, at), way_point(way, at + kHalf)}, left);
 }
 
 double station_progress(const PlannedWay& way, double left, geom::Point p, double from, double to) {
