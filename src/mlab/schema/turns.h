@@ -11,6 +11,7 @@
 #include "mlab/geom/pose.h"
 #include "mlab/percept/action.h"
 #include "mlab/percept/percepts.h"
+#include "mlab/schema/reciprocal.h"
 #include "mlab/schema/step_aside.h"
 
 namespace mlab::schema {
@@ -125,6 +126,14 @@ class TurnTaker {
   std::uint32_t next_ = 0;        // corner of its way aside
   std::uint32_t count_ = 0;
   std::array<geom::Point, kMostCorners> corners_{};
+};
+
+/// What a body that goes among others keeps from cycle to cycle. What each cycle reads stands first: where
+/// robots are many, each line of a cache comes from afar.
+struct Company {
+  geom::Point before;  ///< where it was in the cycle before [m, world]
+  TurnTaker turns;
+  SeenRobots seen;
 };
 
 }  // namespace mlab::schema
