@@ -321,14 +321,18 @@ void Program::fetch(const std::byte* frame) const {
   }
 }
 
+void Program::fetch_large(const std::byte* frame) const {
+  constexpr std::size_t kLines = 4;  // of a way more than are read as long as it has few corners
+  const auto last = static_cast<std::uint32_t>(cycle(frame));
+  for (const LargeCode& one : large_) {
+    if (one.stamp != kNone && at<std::uint32_t>(frame, one.stamp) != last) continue;
+    for (std::size_t i = 0; i < kLines; ++i)
+      __builtin_prefetch(frame + one.offset + i * Frame::kAlignment, 1);
+  }
+}
+
 percept::Needs Program::needs(const std::byte* frame, const Interventions* interventions) const {
   percept::Needs out;
-  // Who asks for its needs will step soon, and nothing tells the processor that it comes to these then. So
-  // many lines of a way are read as long as it has few corners.
-  constexpr std::size_t kLines = 3;
-  for (const std::uint32_t offset : large_) {
-    for (std::size_t i = 0; i < kLines; ++i) __builtin_prefetch(frame + offset + i * Frame::kAlignment, 1);
-  }
   add_needs(root_, frame, false, interventions, out);
   return out;
 }

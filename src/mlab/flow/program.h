@@ -164,6 +164,11 @@ class Program {
     std::uint32_t offset = 0;
     std::uint32_t size = 0;
   };
+  /// A value so large that it stands behind all others, state or output.
+  struct LargeCode {
+    std::uint32_t offset = 0;
+    std::uint32_t stamp = kNone;  ///< of its operation
+  };
   struct MixtureCode {
     std::string path;
     std::uint32_t stamp = kNone;
@@ -209,6 +214,8 @@ class Program {
 
   /// Tells the processor that a step comes soon, which then need not wait for most of the frame.
   void fetch(const std::byte* frame) const;
+  /// And then what the step begins with of large values, as far as they were computed in the cycle before.
+  void fetch_large(const std::byte* frame) const;
 
   /// The cycle that ran last; 0 before the first.
   static std::uint64_t cycle(const std::byte* frame);
@@ -352,9 +359,9 @@ class Program {
   std::vector<NodeWires> wires_;
   std::size_t node_count_ = 0;
   Frame initial_;
-  std::vector<KeptCode> kept_;        ///< for `carry_over` only
-  std::vector<std::uint32_t> large_;  ///< offsets of values that stand behind all others
-  std::uint32_t near_size_ = 0;       ///< of what stands before them in the frame
+  std::vector<KeptCode> kept_;    ///< for `carry_over` only
+  std::vector<LargeCode> large_;  ///< what stands behind all others
+  std::uint32_t near_size_ = 0;   ///< of what stands before them in the frame
 };
 
 /// The same program with other values before the first cycle.

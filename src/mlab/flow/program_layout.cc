@@ -138,17 +138,17 @@ void ProgramBuilder::place_values() {
   const std::vector<std::uint32_t> ops = order_of_cycle();
   for (const bool is_large : {false, true}) {
     if (is_large) program_->near_size_ = frame_size_;
-    const auto place = [&](std::uint32_t& offset, std::uint32_t size, std::uint32_t alignment) {
+    const auto place = [&](const Op& op, std::uint32_t& offset, std::uint32_t size, std::uint32_t alignment) {
       constexpr std::uint32_t kLarge = 8 * Frame::kAlignment;
       if ((size >= kLarge) != is_large) return;
       offset = allocate(size, is_large ? static_cast<std::uint32_t>(Frame::kAlignment) : alignment);
-      if (is_large) program_->large_.push_back(offset);
+      if (is_large) program_->large_.push_back({offset, op.stamp});
     };
     for (const std::uint32_t i : ops) {
       Op& op = ops_[i];
       if (!is_large && has_own_stamp(op)) op.stamp = allocate(4, 4);
-      if (op.behavior != nullptr) place(op.state, op.behavior->state_size, op.behavior->state_alignment);
-      if (op.type != nullptr) place(op.output, op.type->size, op.type->alignment);
+      if (op.behavior != nullptr) place(op, op.state, op.behavior->state_size, op.behavior->state_alignment);
+      if (op.type != nullptr) place(op, op.output, op.type->size, op.type->alignment);
       if (!is_large && op.kind == Instruction::Kind::kStartAsync) op.fresh = allocate(1, 1);
     }
   }

@@ -28,14 +28,20 @@ void InProcessRunner::needs(std::span<const Member> members, std::span<percept::
 
 void InProcessRunner::act(std::span<const Turn> turns) {
   constexpr std::size_t kMany = 16;  // their frames do not stay in the cache from one cycle to the next
+  constexpr std::size_t kAhead = 2;  // by then what a frame says of its large values has come
   const std::size_t fetched = turns.size() < kMany ? 0 : turns.size();
+  const auto fetch = [&](std::size_t i, void (flow::Program::*part)(const std::byte*) const) {
+    if (i >= fetched) return;
+    const Workings robot = members_[turns[i].member].workings();
+    (robot.program->*part)(robot.frame);
+  };
+  for (std::size_t i = 0; i < kAhead; ++i) fetch(i, &flow::Program::fetch);
+  fetch(0, &flow::Program::fetch_large);
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const Turn& turn = turns[i];
     RobotValues& robot = members_[turn.member];
-    if (i + 1 < fetched) {
-      const Workings next = members_[turns[i + 1].member].workings();
-      next.program->fetch(next.frame);
-    }
+    fetch(i + 1, &flow::Program::fetch_large);
+    fetch(i + kAhead, &flow::Program::fetch);
     turn.action->clear();
     robot.program().step(robot.frame(), *turn.percepts, *turn.action, seed_, robot.robot().value,
                          async_.get(), robot.interventions());
