@@ -62,7 +62,7 @@ set(MLAB_CYCLE_MODULES percept flow schema ways binding sim fleet robot library 
 set(MLAB_LOOP_MODULES flow sim)
 function(mlab_tune_if_in_cycle name)
   if(name IN_LIST MLAB_CYCLE_MODULES)
-    target_compile_options(mlab_${name} PRIVATE -fno-semantic-interposition -fno-math-errno)
+    target_compile_options(mlab_${name} PRIVATE -fno-semantic-interposition -fno-math-errno -fno-tree-slp-vectorize)
     if(NOT name IN_LIST MLAB_LOOP_MODULES)
       target_compile_options(mlab_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
     endif()
