@@ -55,7 +55,8 @@ set(MLAB_BUSY_MODULES base geom fleet binding simulated run robot library ways s
 
 # What a control cycle is spent in. Functions that are called in the source where they stand may be put in place there, though
 # it is compiled for shared libraries, too: nobody exchanges functions of ours when a program starts. And nobody asks `errno`
-# what sqrt thinks of a number. Results stay the same to the last bit.
+# what sqrt thinks of a number. GCC 12 would store a point's halves one by one, as it gets them, to read both at once, for which
+# the processor waits until they are in the cache (-fno-tree-slp-vectorize). Results stay the same to the last bit.
 set(MLAB_CYCLE_MODULES percept flow schema ways binding sim fleet robot library mission run)
 # Those of them that go through lists and grids are made as fast as can be. All others are called once for each robot, one
 # after the other: what is smaller is faster there, since a robot's whole program fits into the cache of instructions then.

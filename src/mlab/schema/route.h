@@ -13,9 +13,6 @@ namespace mlab::schema {
 double route_length(std::span<const geom::Point> route);
 /// Held at the ends; the world's origin for a route without points.
 geom::Point route_point(std::span<const geom::Point> route, double way);
-/// As route_point at several places, of which none is before the one in front of it.
-void route_points(std::span<const geom::Point> route, std::span<const double> ways,
-                  std::span<geom::Point> out);
 /// As route_point at three places, none of which is before another one in front of it.
 std::array<geom::Point, 3> route_points(std::span<const geom::Point> route, std::array<double, 3> ways);
 /// Which place between `from` and `to` is nearest to p; the first of several.
