@@ -70,11 +70,18 @@ Qos qos_in(const std::string& partition) {
 
 }  // namespace
 
+ParticipantCore::ParticipantCore(const Network& network)
+    : number(network.security.has_value()),
+      complaints(number.value()),
+      is_anything_lost_(network.lost_of_thousand > 0 || !is_loopback_only(network)) {
+  if (network.security) end_ = std::chrono::steady_clock::now() + time_left(*network.security);
+}
+
 std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::open(const Network& network) {
   if (const auto checked = configuration_of(network); !checked) return std::unexpected(checked.error());
   const auto identity = identity_of(network);
   if (!identity) return std::unexpected(identity.error());
-  auto core = std::make_shared<ParticipantCore>(network.security);
+  auto core = std::make_shared<ParticipantCore>(network);
   const std::uint32_t number = core->number.value();
   if (number == 0) return std::unexpected("this process takes part in too many secured fleets");
   const auto failed = [&](std::string_view what, dds_entity_t code) {
@@ -107,7 +114,9 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
 }
 
 Prompter& ParticipantCore::prompter() {
-  std::call_once(prompts_, [this] { prompter_.emplace(); });
+  std::call_once(prompts_, [this] {
+    prompter_.emplace(is_anything_lost_ ? Prompter::kCycles : Prompter::kCyclesWhereNothingIsLost);
+  });
   return *prompter_;
 }
 

@@ -28,10 +28,7 @@ class ParticipantCore {
 
   /// Every participant has a domain of its own, whose number means something to this process only: one
   /// configuration for each, and nothing shared with others of the process.
-  explicit ParticipantCore(const std::optional<Security>& identity)
-      : number(identity.has_value()), complaints(number.value()) {
-    if (identity) end_ = std::chrono::steady_clock::now() + time_left(*identity);
-  }
+  explicit ParticipantCore(const Network& network);
 
   /// @errors  a sentence
   std::expected<Entity, std::string> topic(std::string_view name) const;
@@ -53,6 +50,7 @@ class ParticipantCore {
 
  private:
   std::optional<std::chrono::steady_clock::time_point> end_;  // of the identity; nothing: it has none
+  bool is_anything_lost_;  // on its way
   std::once_flag prompts_;
   std::optional<Prompter> prompter_;
 };

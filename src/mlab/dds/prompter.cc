@@ -11,9 +11,8 @@ void Prompter::Pace::written(Clock::time_point now) {
   if (between < kSlowest) usual_ = std::min(between, usual_ + usual_ / 4 + std::chrono::microseconds(50));
 }
 
-Prompter::Clock::duration Prompter::Pace::patience() const {
-  // Five cycles are waited for, so that the thread need not wake up in each.
-  return std::clamp<Clock::duration>(5 * usual_, kFirst, kLongest);
+Prompter::Clock::duration Prompter::Pace::patience(int cycles) const {
+  return std::clamp<Clock::duration>(cycles * usual_, kFirst, kLongest);
 }
 
 Prompter::Task::Task(Prompter& prompter, std::function<bool()> prompt)
@@ -32,7 +31,7 @@ void Prompter::Task::written() {
   const Clock::time_point now = Clock::now();
   const std::scoped_lock lock(prompter_.mutex_);
   pace_.written(now);
-  expect(now, pace_.patience(), kPrompts);
+  expect(now, pace_.patience(prompter_.cycles_), kPrompts);
 }
 
 void Prompter::Task::matched() {
@@ -48,7 +47,7 @@ void Prompter::Task::expect(Clock::time_point now, Clock::duration patience, int
   prompter_.changed_.notify_all();
 }
 
-Prompter::Prompter() : thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+Prompter::Prompter(int cycles) : cycles_(cycles), thread_([this](const std::stop_token& stop) { serve(stop); }) {}
 
 Prompter::~Prompter() {
   thread_.request_stop();

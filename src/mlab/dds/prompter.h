@@ -32,7 +32,8 @@ class Prompter {
 
     void written(Clock::time_point now);
     /// From the last write to the first prompt.
-    Clock::duration patience() const;
+    /// @param cycles  that are waited for, where writes follow each other
+    Clock::duration patience(int cycles) const;
 
    private:
     Clock::time_point last_;   // write
@@ -66,7 +67,11 @@ class Prompter {
     int left_ = 0;             // prompts
   };
 
-  Prompter();
+  static constexpr int kCycles = 5;  ///< that are waited for, so that the thread need not wake up in each
+  /// The same where nothing is lost on its way, so that a reader misses something only if it was flooded.
+  static constexpr int kCyclesWhereNothingIsLost = 20;
+
+  explicit Prompter(int cycles = kCycles);
   Prompter(const Prompter&) = delete;
   Prompter& operator=(const Prompter&) = delete;
   ~Prompter();
@@ -75,6 +80,7 @@ class Prompter {
   void serve(const std::stop_token& stop);
   Clock::time_point prompt_the_due(std::unique_lock<std::mutex>& lock);
 
+  int cycles_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::vector<Task*> tasks_;

@@ -12,11 +12,11 @@ using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 /// How long readers are left alone after a hundred writes.
-Clock::duration patience_after(Prompter::Clock::duration between) {
+Clock::duration patience_after(Prompter::Clock::duration between, int cycles = Prompter::kCycles) {
   Prompter::Pace pace;
   Clock::time_point now;
   for (int i = 0; i < 100; ++i) pace.written(now += between);
-  return pace.patience();
+  return pace.patience(cycles);
 }
 
 TEST(DdsPrompter, LeavesReadersAloneForSomeCyclesHoweverSlowTheyAre) {
@@ -27,14 +27,22 @@ TEST(DdsPrompter, LeavesReadersAloneForSomeCyclesHoweverSlowTheyAre) {
   EXPECT_EQ(patience_after(milliseconds(51)), Prompter::kFirst) << "a command now and then";
 }
 
+TEST(DdsPrompter, LeavesReadersAloneForLongerWhereNothingIsLost) {
+  constexpr int kCycles = Prompter::kCyclesWhereNothingIsLost;
+  EXPECT_EQ(patience_after(std::chrono::microseconds(50), kCycles), Prompter::kFirst);
+  EXPECT_EQ(patience_after(milliseconds(3), kCycles), milliseconds(60));
+  EXPECT_EQ(patience_after(milliseconds(17), kCycles), Prompter::Pace::kLongest);
+  EXPECT_EQ(patience_after(milliseconds(51), kCycles), Prompter::kFirst);
+}
+
 TEST(DdsPrompter, NoticesTheNextLossAsSoonAsTheOneBefore) {
   Prompter::Pace pace;
   Clock::time_point now;
   for (int i = 0; i < 100; ++i) pace.written(now += milliseconds(2));
   pace.written(now += milliseconds(30));
-  EXPECT_LE(pace.patience(), milliseconds(13));
+  EXPECT_LE(pace.patience(Prompter::kCycles), milliseconds(13));
   pace.written(now += milliseconds(2));
-  EXPECT_EQ(pace.patience(), milliseconds(10));
+  EXPECT_EQ(pace.patience(Prompter::kCycles), milliseconds(10));
 }
 
 TEST(DdsPrompter, PromptsSomeTimesAfterTheLastWriteAndThenNoMore) {
