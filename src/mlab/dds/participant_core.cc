@@ -115,7 +115,7 @@ std::expected<std::shared_ptr<ParticipantCore>, std::string> ParticipantCore::op
 
 Prompter& ParticipantCore::prompter() {
   std::call_once(prompts_, [this] {
-    prompter_.emplace(is_anything_lost_ ? Prompter::kCycles : Prompter::kCyclesWhereNothingIsLost);
+    prompter_.emplace(is_anything_lost_ ? Prompter::Patience() : Prompter::kWhereNothingIsLost);
   });
   return *prompter_;
 }

@@ -11,8 +11,8 @@ void Prompter::Pace::written(Clock::time_point now) {
   if (between < kSlowest) usual_ = std::min(between, usual_ + usual_ / 4 + std::chrono::microseconds(50));
 }
 
-Prompter::Clock::duration Prompter::Pace::patience(int cycles) const {
-  return std::clamp<Clock::duration>(cycles * usual_, kFirst, kLongest);
+Prompter::Clock::duration Prompter::Pace::patience(const Patience& most) const {
+  return std::clamp<Clock::duration>(most.cycles * usual_, kFirst, most.longest);
 }
 
 Prompter::Task::Task(Prompter& prompter, std::function<bool()> prompt)
@@ -31,7 +31,7 @@ void Prompter::Task::written() {
   const Clock::time_point now = Clock::now();
   const std::scoped_lock lock(prompter_.mutex_);
   pace_.written(now);
-  expect(now, pace_.patience(prompter_.cycles_), kPrompts);
+  expect(now, pace_.patience(prompter_.patience_), kPrompts);
 }
 
 void Prompter::Task::matched() {
@@ -47,7 +47,8 @@ void Prompter::Task::expect(Clock::time_point now, Clock::duration patience, int
   prompter_.changed_.notify_all();
 }
 
-Prompter::Prompter(int cycles) : cycles_(cycles), thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+Prompter::Prompter(Patience patience)
+    : patience_(patience), thread_([this](const std::stop_token& stop) { serve(stop); }) {}
 
 Prompter::~Prompter() {
   thread_.request_stop();

@@ -22,18 +22,26 @@ class Prompter {
   static constexpr std::chrono::milliseconds kMost{16};  ///< between two
   static constexpr int kPrompts = 12;                    ///< after which Cyclone's own, slower means are left
 
+  /// For how long readers are left alone where writes follow each other, so that the thread need not wake up in
+  /// each cycle.
+  struct Patience {
+    int cycles = 5;
+    std::chrono::milliseconds longest{100};
+  };
+  /// The same where nothing is lost on its way: a reader misses something only if it was flooded, and after
+  /// this Cyclone's writers ask by themselves.
+  static constexpr Patience kWhereNothingIsLost{.cycles = 50, .longest = std::chrono::milliseconds{400}};
+
   /// How fast writes follow each other, and how long readers may miss one before they are prompted.
   class Pace {
    public:
     /// Fifty robots of a secured fleet on one machine take twenty milliseconds for a cycle. Who was prompted
     /// in each had more to do, took longer, and was prompted more often.
-    static constexpr std::chrono::milliseconds kSlowest{50};   ///< between writes that follow each other
-    static constexpr std::chrono::milliseconds kLongest{100};  ///< that readers are left alone
+    static constexpr std::chrono::milliseconds kSlowest{50};  ///< between writes that follow each other
 
     void written(Clock::time_point now);
     /// From the last write to the first prompt.
-    /// @param cycles  that are waited for, where writes follow each other
-    Clock::duration patience(int cycles) const;
+    Clock::duration patience(const Patience& most) const;
 
    private:
     Clock::time_point last_;   // write
@@ -67,11 +75,7 @@ class Prompter {
     int left_ = 0;             // prompts
   };
 
-  static constexpr int kCycles = 5;  ///< that are waited for, so that the thread need not wake up in each
-  /// The same where nothing is lost on its way, so that a reader misses something only if it was flooded.
-  static constexpr int kCyclesWhereNothingIsLost = 20;
-
-  explicit Prompter(int cycles = kCycles);
+  explicit Prompter(Patience patience);
   Prompter(const Prompter&) = delete;
   Prompter& operator=(const Prompter&) = delete;
   ~Prompter();
@@ -80,7 +84,7 @@ class Prompter {
   void serve(const std::stop_token& stop);
   Clock::time_point prompt_the_due(std::unique_lock<std::mutex>& lock);
 
-  int cycles_;
+  Patience patience_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::vector<Task*> tasks_;

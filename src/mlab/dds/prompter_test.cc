@@ -12,27 +12,27 @@ using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 /// How long readers are left alone after a hundred writes.
-Clock::duration patience_after(Prompter::Clock::duration between, int cycles = Prompter::kCycles) {
+Clock::duration patience_after(Prompter::Clock::duration between, Prompter::Patience most = {}) {
   Prompter::Pace pace;
   Clock::time_point now;
   for (int i = 0; i < 100; ++i) pace.written(now += between);
-  return pace.patience(cycles);
+  return pace.patience(most);
 }
 
 TEST(DdsPrompter, LeavesReadersAloneForSomeCyclesHoweverSlowTheyAre) {
   EXPECT_EQ(patience_after(std::chrono::microseconds(100)), Prompter::kFirst);
   EXPECT_EQ(patience_after(milliseconds(3)), milliseconds(15));
   EXPECT_EQ(patience_after(milliseconds(17)), milliseconds(85));
-  EXPECT_EQ(patience_after(milliseconds(49)), Prompter::Pace::kLongest);
+  EXPECT_EQ(patience_after(milliseconds(49)), Prompter::Patience().longest);
   EXPECT_EQ(patience_after(milliseconds(51)), Prompter::kFirst) << "a command now and then";
 }
 
 TEST(DdsPrompter, LeavesReadersAloneForLongerWhereNothingIsLost) {
-  constexpr int kCycles = Prompter::kCyclesWhereNothingIsLost;
-  EXPECT_EQ(patience_after(std::chrono::microseconds(50), kCycles), Prompter::kFirst);
-  EXPECT_EQ(patience_after(milliseconds(3), kCycles), milliseconds(60));
-  EXPECT_EQ(patience_after(milliseconds(17), kCycles), Prompter::Pace::kLongest);
-  EXPECT_EQ(patience_after(milliseconds(51), kCycles), Prompter::kFirst);
+  constexpr Prompter::Patience kMost = Prompter::kWhereNothingIsLost;
+  EXPECT_EQ(patience_after(std::chrono::microseconds(20), kMost), Prompter::kFirst);
+  EXPECT_EQ(patience_after(milliseconds(3), kMost), milliseconds(150));
+  EXPECT_EQ(patience_after(milliseconds(17), kMost), kMost.longest);
+  EXPECT_EQ(patience_after(milliseconds(51), kMost), Prompter::kFirst);
 }
 
 TEST(DdsPrompter, NoticesTheNextLossAsSoonAsTheOneBefore) {
@@ -40,14 +40,14 @@ TEST(DdsPrompter, NoticesTheNextLossAsSoonAsTheOneBefore) {
   Clock::time_point now;
   for (int i = 0; i < 100; ++i) pace.written(now += milliseconds(2));
   pace.written(now += milliseconds(30));
-  EXPECT_LE(pace.patience(Prompter::kCycles), milliseconds(13));
+  EXPECT_LE(pace.patience({}), milliseconds(13));
   pace.written(now += milliseconds(2));
-  EXPECT_EQ(pace.patience(Prompter::kCycles), milliseconds(10));
+  EXPECT_EQ(pace.patience({}), milliseconds(10));
 }
 
 TEST(DdsPrompter, PromptsSomeTimesAfterTheLastWriteAndThenNoMore) {
   std::atomic<int> prompts = 0;
-  Prompter prompter;
+  Prompter prompter{Prompter::Patience()};
   Prompter::Task task(prompter, [&] {
     ++prompts;
     return false;
@@ -64,7 +64,7 @@ TEST(DdsPrompter, PromptsSomeTimesAfterTheLastWriteAndThenNoMore) {
 TEST(DdsPrompter, PromptsWhoHasMatchedUntilHeAnswersHoweverOftenThatIs) {
   constexpr int kAnswers = Prompter::kPrompts + 5;
   std::atomic<int> prompts = 0;
-  Prompter prompter;
+  Prompter prompter{Prompter::Patience()};
   Prompter::Task task(prompter, [&] { return ++prompts < kAnswers; });
   task.matched();
   const auto until = Clock::now() + std::chrono::seconds(20);
@@ -75,7 +75,7 @@ TEST(DdsPrompter, PromptsWhoHasMatchedUntilHeAnswersHoweverOftenThatIs) {
 
 TEST(DdsPrompter, PromptsNobodyBeforeItsTime) {
   std::atomic<Clock::time_point> prompted = Clock::time_point::max();
-  Prompter prompter;
+  Prompter prompter{Prompter::Patience()};
   Prompter::Task task(prompter, [&] {
     if (prompted.load() == Clock::time_point::max()) prompted = Clock::now();
     return false;
@@ -88,7 +88,7 @@ TEST(DdsPrompter, PromptsNobodyBeforeItsTime) {
 
 TEST(DdsPrompter, CallsNothingOfATaskThatHasEnded) {
   for (int i = 0; i < 50; ++i) {
-    Prompter prompter;
+    Prompter prompter{Prompter::Patience()};
     std::atomic<bool> is_there = true;
     std::atomic<int> late = 0;
     {
