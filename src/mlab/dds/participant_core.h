@@ -50,7 +50,7 @@ class ParticipantCore {
 
  private:
   std::optional<std::chrono::steady_clock::time_point> end_;  // of the identity; nothing: it has none
-  bool is_anything_lost_;  // on its way
+  bool is_anything_lost_;                                     // on its way
   std::once_flag prompts_;
   std::optional<Prompter> prompter_;
 };

@@ -22,8 +22,8 @@ class Prompter {
   static constexpr std::chrono::milliseconds kMost{16};  ///< between two
   static constexpr int kPrompts = 12;                    ///< after which Cyclone's own, slower means are left
 
-  /// For how long readers are left alone where writes follow each other, so that the thread need not wake up in
-  /// each cycle.
+  /// For how long readers are left alone where writes follow each other, so that the thread need not wake up
+  /// in each cycle.
   struct Patience {
     int cycles = 5;
     std::chrono::milliseconds longest{100};

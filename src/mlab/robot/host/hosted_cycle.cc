@@ -16,8 +16,9 @@ namespace {
 using robot_wire::Control;
 using robot_wire::PlaceHeader;
 
-// Between two looks at how the program is. Where a machine has many robots a cycle of all takes longer than some
-// milliseconds, and to wake up in each only to see that nothing has happened yet took more than the program.
+// Between two looks at how the program is. Where a machine has many robots a cycle of all takes longer than
+// some milliseconds, and to wake up in each only to see that nothing has happened yet took more than the
+// program.
 constexpr timespec kNap{0, 20'000'000};
 constexpr double kAsleep = 0.02;              // a program that takes less of the time sleeps
 constexpr double kSlowest = 150.0;            // times its processor time, on a busy machine
@@ -190,7 +191,8 @@ std::optional<HostedCycle::Failure> HostedCycle::await(const Meanwhile& meanwhil
   if (control.answered.is_soon(are_all, looks_)) return std::nullopt;
   std::uint32_t place = Control::kNobody;
   auto began = Clock::now();
-  // As of the first look: of what a program took before that nothing has to be known where it answers in time.
+  // As of the first look: of what a program took before that nothing has to be known where it answers in
+  // time.
   std::optional<double> used;
   while (!control.answered.is_after_sleep(are_all, kNap)) {
     if (process_->note_end()) {
