@@ -176,6 +176,15 @@ TEST_F(RecordingCommand, WritesOverNothingThatTheMissionReads) {
   EXPECT_EQ(text_of(folder_ / "map.odl"), before);
 }
 
+TEST_F(RecordingCommand, ARobotOfTheLibraryIsNoFileOfTheMission) {
+  write("wolf.mdl", "NEW-ROBOT wolf \"robot\" red\nUNIT <a> wolf\nCOMMAND LIST:\n0. UNIT a START 5 5\n");
+  for (int run = 0; run < 2; ++run) {
+    const Outcome out = mlab("run wolf.mdl --headless --report robot");
+    EXPECT_EQ(out.status, 0) << run << out.err;
+    EXPECT_TRUE(fs::exists(folder_ / "robot"));
+  }
+}
+
 TEST_F(RecordingCommand, AreNeverWrittenOver) {
   record();
   const Outcome again = mlab("run mission.mdl --headless --record run.mcap");

@@ -19,6 +19,7 @@
 #include "mlab/cli/interrupt.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/cli/version.h"
+#include "mlab/library/library.h"
 #include "mlab/robot/program/configuration_file.h"
 #include "mlab/run/pace.h"
 #include "mlab/study/dimension.h"
@@ -120,8 +121,7 @@ std::vector<NamedFile> outputs_of(const RunOptions& options) {
 
 std::vector<NamedFile> files_read_for(const mission::Mission& mission, const run::Crew* crew) {
   std::vector<NamedFile> out;
-  // As it is written from here, or from the mission's folder; what is no file, as a robot of the library, is
-  // not written over.
+  // As it is written from here, or from the mission's folder.
   const auto add = [&](const std::string& file) {
     std::error_code unknown;
     for (const std::filesystem::path& path :
@@ -136,7 +136,11 @@ std::vector<NamedFile> files_read_for(const mission::Mission& mission, const run
   add_text(mission.source);
   std::ranges::for_each(mission.texts, add_text);
   if (crew != nullptr) std::ranges::for_each(run::texts_of(*crew), add_text);
-  for (const mission::RobotType& type : mission.types) add(type.program);
+  for (const mission::RobotType& type : mission.types) {
+    const bool is_of_library =
+        !library::find_robot(std::filesystem::path(type.program).filename().string()).empty();
+    if (!is_of_library) add(type.program);
+  }
   add(mission.overlay.map_file);
   if (mission.overlay.map_picture) add(mission.overlay.map_picture->file);
   if (mission.overlay.height_map) add(mission.overlay.height_map->file);
