@@ -214,7 +214,7 @@ class Program {
 
   /// Tells the processor that a step comes soon, which then need not wait for most of the frame.
   void fetch(const std::byte* frame) const;
-  /// And then what the step begins with of large values, as far as they were computed in the cycle before.
+  /// Likewise the first lines of large values that the cycle before computed. Reads what `fetch` fetches.
   void fetch_large(const std::byte* frame) const;
 
   /// The cycle that ran last; 0 before the first.

@@ -65,8 +65,7 @@ SideRoom side_room(Offset along, std::span<const geom::Segment> walls, std::span
 
 WayMade make_way(Offset wanted, double radius, double gap, const SideRoom& room,
                  std::span<const Neighbour> others) {
-  constexpr double kLeastGap = 0.25;  // of the gap
-  constexpr double kOfRoom = 0.6;     // that is left when two pass
+  constexpr double kOfRoom = 0.6;  // that is left when two pass
   const double speed = length(wanted);
   if (!(speed > 0.0)) return {wanted, gap};
   const Offset along = wanted * (1.0 / speed);

@@ -6,6 +6,10 @@
 
 namespace mlab::schema {
 
+/// Of the gap that bodies keep where there is room, so much at least in a narrow place, and where somebody
+/// takes his turn; who is nearer flees.
+inline constexpr double kLeastGap = 0.25;
+
 /// A robot near to a body that goes along a narrow place, as seen from there.
 struct Neighbour {
   geom::Offset place;       ///< from the body [m]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mlab/schema/way.h"
 
@@ -43,8 +44,7 @@ Surroundings::Surroundings(const percept::Percepts& percepts, const Spacing& spa
   add_edges();
   if (!percepts.ground.walls.empty()) add_walls();
   if (!obstacles.empty()) add_obstacles();
-  add_robots(seen);
-  if (is_crowded_) bar_robots();
+  if (add_robots(seen) < 2.0 * step_) bar_robots();
   if (wall_count_ > 0) bar_ends_of_walls();
 }
 
@@ -112,15 +112,17 @@ void Surroundings::add_obstacles() {
   }
 }
 
-void Surroundings::add_robots(SeenRobots& seen) {
+double Surroundings::add_robots(SeenRobots& seen) {
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Offset place = to_world(robots_[i].center);
     others_.add({place, seen.velocity(robots_[i].id, here_ + place, percepts_.cycle_duration, i),
                  length(robots_[i].center)});
-    is_crowded_ = is_crowded_ || room_to(i) < 2.0 * step_;
+    least = std::min(least, room_to(i));
   }
   seen.clear();
   for (std::size_t i = 0; i < robots_.size(); ++i) seen.add(robots_[i].id, here_ + others_[i].place);
+  return least;
 }
 
 double Surroundings::room_to(std::size_t robot) const {
@@ -222,7 +224,6 @@ Offset Surroundings::least_change(Offset wanted, Offset now, double gap, double 
       const auto& [place, velocity, away] = others_[i];
       if (traffic.size() >= room || away > near_) continue;
       if ((length(velocity) > kStands) != shares) continue;
-      constexpr double kLeastGap = 0.25;  // of the gap: nearer than that one flees
       const double bodies = robots_[i].radius + spacing_.radius;
       const double apart = std::clamp(length(place), bodies + kLeastGap * spacing_.gap, bodies + gap);
       traffic.add({place, velocity, apart, spacing_.horizon, shares});

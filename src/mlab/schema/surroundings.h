@@ -62,7 +62,8 @@ class Surroundings {
   void add_walls();
   bool is_known_wall(const percept::Obstacle& seen) const;
   void add_obstacles();
-  void add_robots(SeenRobots& seen);
+  /// @return  the least room that it has to any of them [m]
+  double add_robots(SeenRobots& seen);
   double room_to(std::size_t robot) const;
   void bar_robots();
   void bar_ends_of_walls();
@@ -86,7 +87,6 @@ class Surroundings {
   base::UpTo<Traffic, 12> standing_;  // the walls first
   base::UpTo<Traffic, 6> passing_;
   base::UpTo<Bar, 48> bars_;
-  bool is_crowded_ = false;                            // it may come to somebody in the cycle that comes
   base::UpTo<Other, flow::Robots::kCapacity> others_;  // by place in the list of robots
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mlab/schema/narrow.h"
 #include "mlab/schema/requests.h"
 #include "mlab/schema/way.h"
 

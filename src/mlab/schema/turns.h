@@ -59,9 +59,6 @@ std::optional<PassageWish> wish_of(const percept::Percepts& percepts, base::Robo
 bool is_waiting(const PassageWish& wish, geom::Point here);
 /// Whether one of these robots, the nearest first, is near to this one and tells such a wish.
 bool hears_wish(const percept::Percepts& percepts, const flow::ListView<percept::RobotReading>& robots);
-/// Of the gap that bodies keep where there is room, so much at least where somebody takes his turn.
-inline constexpr double kLeastGap = 0.25;
-
 /// What a body does that takes turns with others.
 struct Turn {
   geom::Offset wanted;    ///< [m/s, world]

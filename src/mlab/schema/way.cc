@@ -374,9 +374,13 @@ geom::Point beside(const Piece& piece, double left) {
   return piece[1] + geom::Offset{-along.y, along.x} * left;
 }
 
-// Whether all of the piece of it around a place is on a way of several pieces, and not beyond its ends.
-bool is_within(const PlannedWay& way, double length, double at) {
-  return !is_straight(way) && at - kHalf >= 0.0 && at + kHalf <= length;
+/// Around a place on a way.
+/// @param way_at  as way_point has it on this way
+template <class WayAt>
+Piece piece_around(const PlannedWay& way, double length, const WayAt& way_at, double at) {
+  const bool is_beyond_an_end = at - kHalf < 0.0 || at + kHalf > length;
+  if (is_straight(way) || is_beyond_an_end) return {way_at(at - kHalf), way_at(at), way_at(at + kHalf)};
+  return route_points(way.points(), {at - kHalf, at, at + kHalf});
 }
 
 }  // namespace
@@ -401,12 +405,8 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
     return is_one_piece && there > 0.0 && there < length ? points.front() + whole * (there / length)
                                                          : way_point(way, there);
   };
-  const auto piece_at = [&](double there) {
-    if (is_within(way, length, there)) return route_points(points, {there - kHalf, there, there + kHalf});
-    return Piece{way_at(there - kHalf), way_at(there), way_at(there + kHalf)};
-  };
   const auto place_at = [&](double there) {
-    const Piece piece = piece_at(there);
+    const Piece piece = piece_around(way, length, way_at, there);
     const geom::Point middle = piece[1];
     const geom::Point place = beside(piece, station.y);
     if (ground.walls.empty()) return place;
@@ -498,9 +498,8 @@ double way_progress(const PlannedWay& way, geom::Point p, double from, double to
 }
 
 geom::Point beside_way(const PlannedWay& way, double at, double left) {
-  if (is_within(way, way_length(way), at))
-    return beside(route_points(way.points(), {at - kHalf, at, at + kHalf}), left);
-  return beside({way_point(way, at - kHalf), way_point(way, at), way_point(way, at + kHalf)}, left);
+  const auto way_at = [&](double there) { return way_point(way, there); };
+  return beside(piece_around(way, way_length(way), way_at, at), left);
 }
 
 double station_progress(const PlannedWay& way, double left, geom::Point p, double from, double to) {
