@@ -97,6 +97,12 @@ test("a unit is told by mouse to rally, which takes no formation", async () => {
   await order.getByText(/^UNIT scouts RALLY 360 330/).waitFor();
   expect(await order.getByText("Formation").count()).toBe(0);
   await order.getByText("Speed [m/s]").waitFor();
+  // The verdict has had its room before, so that Send does not move away under the pointer when it comes.
+  const verdict = order.getByRole("status");
+  await verdict.getByText(/RALLY 360 330/).waitFor();
+  const shown = await verdict.boundingBox();
+  const room = await verdict.evaluate((e) => Number.parseFloat(getComputedStyle(e).minHeight));
+  expect(shown?.height).toBeLessThanOrEqual(Math.ceil(room));
   await order.getByRole("button", { name: "Send" }).click();
   await order.waitFor({ state: "detached" });
   const typed = console.steps.getByRole("listitem").filter({ hasText: "typed" });
