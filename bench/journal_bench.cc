@@ -1,8 +1,10 @@
 // What a journal costs: an hour of robots with recording, without and with the writes that the console makes
 // of it; and how long such a run takes to be read and computed again.
 //
-//     build/bench/bin/journal_bench [ROBOTS] [SECONDS]
+//     build/bench/bin/journal_bench [ROBOTS] [SECONDS] [THREADS]
 
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -59,6 +61,7 @@ int main(int argc, char** argv) {
       "%)\n",
       robots, seconds, without, with, 100.0 * (with - without) / without);
   const double began = cpu_seconds();
+  const auto began_at = std::chrono::steady_clock::now();
   const auto kept = journal::read_journal(folder + "/run.journal");
   if (!kept) {
     fmt::print(stderr, "{}\n", kept.error().why);
@@ -66,11 +69,17 @@ int main(int argc, char** argv) {
   }
   const double read = cpu_seconds();
   text::Diagnostics sink;
-  const auto replay = history::Replay::make(kept->history, {}, sink);
+  history::ReplayTools tools;
+  tools.threads = argc > 3 ? std::atoi(argv[3]) : 1;
+  const auto replay = history::Replay::make(kept->history, tools, sink);
   while (replay && replay->step()) {
   }
-  fmt::print("read in {:.3f} s, computed again up to cycle {} in {:.2f} s\n", read - began,
-             replay ? replay->run().cycle() : 0, cpu_seconds() - read);
+  const std::chrono::duration<double> by_the_clock = std::chrono::steady_clock::now() - began_at;
+  fmt::print(
+      "read in {:.3f} s, computed again up to cycle {} in {:.2f} s of processor time; both {:.2f} s by the "
+      "clock, {} threads\n",
+      read - began, replay ? replay->run().cycle() : 0, cpu_seconds() - read, by_the_clock.count(),
+      tools.threads);
   fs::remove_all(folder);
   return replay && !replay->divergence() ? 0 : 1;
 }

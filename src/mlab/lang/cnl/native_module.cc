@@ -16,6 +16,7 @@
 #include "mlab/cell/keep_first.h"
 #include "mlab/flow/module.h"
 #include "mlab/lang/cnl/compile_folder.h"
+#include "mlab/lang/cnl/compiler_flags.h"
 #include "mlab/lang/cnl/compiler_messages.h"
 #include "mlab/lang/cnl/generate.h"
 
@@ -57,18 +58,8 @@ class NativeBuild {
       : tree_(tree), options_(options), diagnostics_(diagnostics), folder_(cache_folder(options)) {
     const std::string text_name = stem_of(tree.source->name()) + ".cnl.cc";
     text_ = generate(tree, {text_name, true});
-    flags_ = {"-std=c++23",
-              "-O2",
-              "-fPIC",
-              "-ffp-contract=off",
-              "-fsigned-char",    // as ours
-              "-fno-exceptions",  // nobody would catch one: the process would end
-              "-fvisibility=hidden",
-              "-Wall",
-              "-fno-diagnostics-show-caret",
-              "-fdiagnostics-color=never",
-              "-fdiagnostics-column-unit=byte",
-              "-fmax-errors=50"};
+    flags_ = procedure_flags();
+    flags_.insert(flags_.end(), {"-fPIC", "-fvisibility=hidden"});
     std::error_code failure;
     beside_ = fs::absolute(fs::path(tree.source->name()), failure).parent_path().string();
     if (options.project != ProjectPart::kNone) flags_.push_back("-iquote" + beside_);

@@ -14,6 +14,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cnl/compiler_flags.h"
 #include "mlab/lang/cnl/compiler_messages.h"
 #include "mlab/lang/cnl/native_module.h"
 #include "mlab/robot/executable/object_cache.h"
@@ -117,22 +118,13 @@ class ExecutableBuild {
   }
 
   std::vector<std::string> flags_of(const CppFile& file) const {
-    std::vector<std::string> flags = {"-std=c++23",
-                                      "-ffp-contract=off",
-                                      "-fsigned-char",
-                                      "-fno-exceptions",
-                                      "-Wall",
-                                      "-fno-diagnostics-show-caret",
-                                      "-fdiagnostics-color=never",
-                                      "-fdiagnostics-column-unit=byte",
-                                      "-fmax-errors=50",
-                                      "-I" + toolchain_.include_root};
-    if (!file.procedures) {
+    std::vector<std::string> flags = file.procedures ? cnl::procedure_flags() : cnl::compiler_flags();
+    flags.push_back("-I" + toolchain_.include_root);
+    if (file.procedures) {
+      flags.push_back("-iquote" + folder_beside(file));
+    } else {
       flags.emplace_back("-O1");  // it runs once
-      return flags;
     }
-    flags.emplace_back("-O2");
-    flags.push_back("-iquote" + folder_beside(file));
     return flags;
   }
 
