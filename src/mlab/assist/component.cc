@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "mlab/flow/frame.h"
+#include "mlab/flow/limit.h"
 #include "mlab/lang/cdl/types/port_type.h"
 #include "mlab/lang/cdl/types/types.h"
 #include "mlab/lang/cdl/types/units.h"
@@ -19,10 +20,8 @@
 namespace mlab::assist {
 namespace {
 
-constexpr double kUnbounded = 1e299;
-
 std::string bound(double value) {
-  return std::abs(value) > kUnbounded ? "" : fmt::format("{}", value);
+  return flow::is_limit(value) ? fmt::format("{}", value) : "";
 }
 
 std::string range_text(const ComponentInput& input) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mlab/export/network_view.h"
+#include "mlab/flow/limit.h"
 
 namespace mlab::exports {
 namespace {
@@ -164,8 +165,8 @@ std::optional<std::string> write_graph(const Subject& subject, text::Diagnostics
                       {"unit", one.unit},
                       {"help", one.help},
                       {"value", one.initial.text}};
-    if (one.min > -1e300) parameter["min"] = one.min;
-    if (one.max < 1e300) parameter["max"] = one.max;
+    if (flow::is_limit(one.min)) parameter["min"] = one.min;
+    if (flow::is_limit(one.max)) parameter["max"] = one.max;
     out["parameters"].push_back(std::move(parameter));
   }
   out["groups"] = groups_json(subject.network);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "mlab/base/random.h"
+#include "mlab/flow/limit.h"
 #include "mlab/flow/lists.h"
 #include "mlab/flow/type_info.h"
 #include "mlab/percept/action.h"
@@ -23,8 +24,8 @@ struct Input {
   std::string_view help;          ///< one line
   bool is_list = false;           ///< takes any number of sources
   std::string_view default_text;  ///< as a constant of CNL; empty: the input has to be linked
-  double min = -1e300;            ///< of the values it takes, in `unit`
-  double max = 1e300;
+  double min = -kNoLimit;         ///< of the values it takes, in `unit`
+  double max = kNoLimit;
 };
 
 /// Another name of a behavior, with the port names and units that go with it: how historic networks call it.

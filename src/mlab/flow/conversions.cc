@@ -13,7 +13,7 @@ void fire_conversion(Call& call) {
 
 template <class From, double (*kConvert)(From)>
 Behavior conversion(std::string_view name, std::string_view help) {
-  static const Input kInput{"value", &type_info<From>(), "", "", false, "", -1e300, 1e300};
+  static const Input kInput{"value", &type_info<From>(), "", "", false, "", -kNoLimit, kNoLimit};
   Behavior out;
   out.name = name;
   out.help = help;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mlab/flow/limit.h"
 #include "mlab/text/source.h"
 
 namespace mlab::flow {
@@ -30,8 +31,8 @@ struct Parameter {
   std::string help;
   std::vector<std::string> other_names;  ///< by which nodes may name it as well
   Source initial;
-  double min = -1e300;
-  double max = 1e300;
+  double min = -kNoLimit;
+  double max = kNoLimit;
   text::Place place;
   /// The named place of the mission's overlay that it is, of type Point, unless the mission says otherwise.
   struct PlaceName {

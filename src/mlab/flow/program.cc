@@ -339,14 +339,12 @@ percept::Needs Program::needs(const std::byte* frame, const Interventions* inter
 
 namespace {
 
-constexpr double kUnlimited = 1e300;  // as Input has it where an author gives no range
-
 // With its range and its unit.
 std::string expected_of(const Port& port) {
   std::string out = flow::expected_of(*port.type);
   const bool is_number = port.type->kind == TypeKind::kReal || port.type->kind == TypeKind::kInteger;
-  const bool has_min = is_number && port.min > -kUnlimited;
-  const bool has_max = is_number && port.max < kUnlimited;
+  const bool has_min = is_number && is_limit(port.min);
+  const bool has_max = is_number && is_limit(port.max);
   if (has_min && has_max) out += fmt::format(", {} .. {}", port.min, port.max);
   if (has_min && !has_max) out += fmt::format(", at least {}", port.min);
   if (has_max && !has_min) out += fmt::format(", at most {}", port.max);

@@ -16,6 +16,7 @@
 #include "mlab/flow/frame.h"
 #include "mlab/flow/interventions.h"
 #include "mlab/flow/library.h"
+#include "mlab/flow/limit.h"
 #include "mlab/flow/network.h"
 #include "mlab/percept/needs.h"
 #include "mlab/text/diagnostic.h"
@@ -35,8 +36,8 @@ struct Port {
       unit;  ///< of the value as it stands in the frame; angles are in radians whatever the author wrote
   std::string help;
   std::uint32_t offset = 0;  ///< in the frame
-  double min = -1e300;       ///< of what may be set, in `edge_unit`
-  double max = 1e300;
+  double min = -kNoLimit;    ///< of what may be set, in `edge_unit`
+  double max = kNoLimit;
   std::string edge_unit;  ///< in which people set and read it: `deg` where the author said so
 };
 

@@ -150,8 +150,8 @@ void ProgramBuilder::declare_nodes() {
     std::uint32_t port = kNone;
     if (op.type != nullptr) {
       port = static_cast<std::uint32_t>(program_->ports_.size());
-      program_->ports_.push_back(
-          {node.name, Port::Role::kOutput, op.type, op.native_unit, "", 0, -1e300, 1e300, op.seen_unit});
+      program_->ports_.push_back({node.name, Port::Role::kOutput, op.type, op.native_unit, "", 0, -kNoLimit,
+                                  kNoLimit, op.seen_unit});
     }
     op_ports_.push_back(port);
     declare_name(node.name, node.place, {Ref::Kind::kOp, index, op.type, op.native_unit, op.seen_unit});
@@ -350,14 +350,14 @@ ProgramBuilder::Ref ProgramBuilder::constant(const Source& source, const TypeInf
             native_unit,
             input == nullptr ? "" : std::string(input->help),
             0,
-            -1e300,
-            1e300,
+            -kNoLimit,
+            kNoLimit,
             seen_unit};
   if (input != nullptr) {
     // The range is said in the unit of the declaration; under an alias people write the other one.
     const bool differs = native_unit == "rad" && seen_unit == "deg" && input->unit == "rad";
-    port.min = differs && input->min > -1e299 ? base::degrees(input->min) : input->min;
-    port.max = differs && input->max < 1e299 ? base::degrees(input->max) : input->max;
+    port.min = differs && is_limit(input->min) ? base::degrees(input->min) : input->min;
+    port.max = differs && is_limit(input->max) ? base::degrees(input->max) : input->max;
   }
   if (type.kind == TypeKind::kReal || type.kind == TypeKind::kInteger) {
     double number = 0.0;

@@ -181,8 +181,8 @@ void ProgramBuilder::list_kept() {
 void ProgramBuilder::add_fresh_ports() {
   for (const Op& op : ops_) {
     if (op.kind != Instruction::Kind::kStartAsync) continue;
-    program_->ports_.push_back(
-        {op.path + ".fresh", Port::Role::kOutput, &type_info<bool>(), "", "", op.fresh, -1e300, 1e300, ""});
+    program_->ports_.push_back({op.path + ".fresh", Port::Role::kOutput, &type_info<bool>(), "", "", op.fresh,
+                                -kNoLimit, kNoLimit, ""});
   }
 }
 

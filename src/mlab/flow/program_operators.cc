@@ -153,7 +153,7 @@ void ProgramBuilder::link_delay(std::uint32_t index) {
   if (ops_[index].initial.kind == Ref::Kind::kNothing) {
     std::vector<std::byte> zeros(type->size);
     const std::uint32_t slot =
-        add_slot({node.name + ".initial", Port::Role::kConstant, type, "", "", 0, -1e300, 1e300, ""},
+        add_slot({node.name + ".initial", Port::Role::kConstant, type, "", "", 0, -kNoLimit, kNoLimit, ""},
                  std::move(zeros));
     ops_[index].initial = {Ref::Kind::kSlot, slot, type, "", ""};
   }

@@ -85,7 +85,7 @@ TEST(Program, GivesASharedCallNoPlaceOfItsOwnForItsFirstValue) {
   Library own = library();
   own.add(std::vector<const Behavior*>{&sum});
   Network network;
-  network.parameters.push_back({"p", "double", "", "", {}, constant("1"), -1e300, 1e300, {}});
+  network.parameters.push_back({"p", "double", "", "", {}, constant("1"), -kNoLimit, kNoLimit, {}});
   network.nodes.push_back(node("a", "AddFromSeven", {{"a", name("p")}, {"b", name("p")}}));
   network.nodes.push_back(node("b", "AddFromSeven", {{"a", name("p")}, {"b", name("p")}}));
   network.nodes.push_back(node("both", "Sum", {{"values", name("a")}, {"values", name("b")}}));
@@ -100,7 +100,7 @@ TEST(Program, GivesASharedCallNoPlaceOfItsOwnForItsFirstValue) {
 
 TEST(Program, SharesAPureCallOnlyWhenItsInputsAreTheSameSources) {
   Network network;
-  network.parameters.push_back({"p", "double", "", "", {}, constant("1"), -1e300, 1e300, {}});
+  network.parameters.push_back({"p", "double", "", "", {}, constant("1"), -kNoLimit, kNoLimit, {}});
   network.nodes.push_back(node("c", "Count"));
   network.nodes.push_back(node("a", "Add", {{"a", name("c")}, {"b", name("p")}}));
   network.nodes.push_back(node("b", "Add", {{"a", name("c")}, {"b", name("p")}}));

@@ -164,11 +164,12 @@ py::list described(const flow::Program& program) {
   for (const flow::Port& port : program.ports()) {
     const bool has_limits =
         port.type->kind == flow::TypeKind::kReal || port.type->kind == flow::TypeKind::kInteger;
-    out.append(py::dict(
-        "path"_a = port.path, "role"_a = name_of(port.role), "type"_a = std::string(port.type->name),
-        "unit"_a = port.unit, "written_in"_a = port.edge_unit.empty() ? port.unit : port.edge_unit,
-        "help"_a = port.help, "low"_a = has_limits && port.min > -1e300 ? py::cast(port.min) : py::none(),
-        "high"_a = has_limits && port.max < 1e300 ? py::cast(port.max) : py::none()));
+    out.append(py::dict("path"_a = port.path, "role"_a = name_of(port.role),
+                        "type"_a = std::string(port.type->name), "unit"_a = port.unit,
+                        "written_in"_a = port.edge_unit.empty() ? port.unit : port.edge_unit,
+                        "help"_a = port.help,
+                        "low"_a = has_limits && flow::is_limit(port.min) ? py::cast(port.min) : py::none(),
+                        "high"_a = has_limits && flow::is_limit(port.max) ? py::cast(port.max) : py::none()));
   }
   return out;
 }

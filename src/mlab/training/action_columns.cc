@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "mlab/base/angle.h"
 #include "mlab/flow/interventions.h"
+#include "mlab/flow/limit.h"
 #include "mlab/flow/type_words.h"
 #include "mlab/text/shown.h"
 #include "mlab/training/seen_columns.h"
@@ -25,7 +27,9 @@ bool is_written_in_degrees(const flow::Port& port) {
   return port.edge_unit == "deg" && port.unit != "deg";
 }
 
+// Infinite where there is none.
 double limit(const flow::Port& port, double edge) {
+  if (!flow::is_limit(edge)) return std::copysign(std::numeric_limits<double>::infinity(), edge);
   return is_written_in_degrees(port) ? base::radians(edge) : edge;
 }
 
@@ -79,7 +83,7 @@ std::expected<ActionColumns, std::string> ActionColumns::of(const flow::Program&
 std::optional<std::size_t> ActionColumns::refused(const double* row) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     // What is no number is neither.
-    if (!(row[i] >= columns_[i].low && row[i] <= columns_[i].high) || !std::isfinite(row[i])) return i;
+    if (!(row[i] >= columns_[i].low && row[i] <= columns_[i].high) || !flow::is_limit(row[i])) return i;
     if (is_whole_[i] != 0 && (row[i] != std::floor(row[i]) || std::fabs(row[i]) > 2147483647.0)) return i;
   }
   return std::nullopt;
@@ -89,7 +93,7 @@ std::string ActionColumns::why_refused(std::size_t column, double value) const {
   const Column& one = columns_[column];
   const std::string_view what = is_whole_[column] != 0 ? "whole numbers" : "numbers";
   const std::string unit = one.unit.empty() ? "" : " " + one.unit;
-  const bool is_open = std::fabs(one.low) >= 1e300 && std::fabs(one.high) >= 1e300;
+  const bool is_open = std::isinf(one.low) && std::isinf(one.high);
   return is_open ? fmt::format("{}: `{}` takes {}", value, one.name, what)
                  : fmt::format("{}: `{}` takes {} from {} to {}{}", value, one.name, what, one.low, one.high,
                                unit);

@@ -140,6 +140,26 @@ TEST(ActionColumns, AnglesAreInRadians) {
   EXPECT_DOUBLE_EQ(flow::Program::number(frame.data(), *program->find("aim")).value_or(0.0), most);
 }
 
+TEST(ActionColumns, HaveNoLimitsWhereTheirPortsHaveNone) {
+  const auto program = program_of(
+      "parameter double [deg] aim = 10;\nparameter double [m/s] cruise = 0.5;\n"
+      "node turn is Spin with rate = aim; nend\n"
+      "node drive is DriveAndSpin with v = turn; max_velocity = cruise; nend\n");
+  const auto columns = ActionColumns::of(*program, Names{"aim", "cruise"}, false);
+  ASSERT_TRUE(columns) << columns.error();
+  for (const Column& one : columns->columns()) {
+    EXPECT_EQ(one.low, -std::numeric_limits<double>::infinity()) << one.name;
+    EXPECT_EQ(one.high, std::numeric_limits<double>::infinity()) << one.name;
+  }
+  const std::array<double, 2> endless = {1.0, std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(columns->refused(endless.data()), 1U);
+  EXPECT_EQ(columns->why_refused(1, endless[1]), "inf: `cruise` takes numbers");
+  const std::array<double, 2> more_than_ports_take = {1.0, 1e301};
+  EXPECT_EQ(columns->refused(more_than_ports_take.data()), 1U);
+  const std::array<double, 2> plain = {-7.0, 1e6};
+  EXPECT_EQ(columns->refused(plain.data()), std::nullopt);
+}
+
 TEST(ActionColumns, HoldOutputsOnlyWhereThatIsAskedFor) {
   const auto refused = ActionColumns::of(*forward(), Names{"pull"}, false);
   ASSERT_FALSE(refused);

@@ -14,6 +14,7 @@
 #include "mlab/cli/input.h"
 #include "mlab/cli/terminal.h"
 #include "mlab/flow/library.h"
+#include "mlab/flow/limit.h"
 #include "mlab/flow/program.h"
 #include "mlab/lang/cdl/types/arithmetic.h"
 #include "mlab/robot/program/configuration_file.h"
@@ -26,16 +27,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 using flow::Behavior;
 
-constexpr double kUnbounded = 1e299;
-
 std::string bracketed(std::string_view unit) {
   return unit.empty() ? "" : fmt::format(" [{}]", unit);
 }
 
 std::string range_text(const flow::Input& input) {
-  if (input.min < -kUnbounded && input.max > kUnbounded) return "";
-  if (input.min < -kUnbounded) return fmt::format("at most {}", input.max);
-  if (input.max > kUnbounded) return fmt::format("at least {}", input.min);
+  if (!flow::is_limit(input.min) && !flow::is_limit(input.max)) return "";
+  if (!flow::is_limit(input.min)) return fmt::format("at most {}", input.max);
+  if (!flow::is_limit(input.max)) return fmt::format("at least {}", input.min);
   return fmt::format("{} .. {}", input.min, input.max);
 }
 
@@ -107,8 +106,8 @@ Json behavior_json(const Behavior& b) {
          {"help", input.help},
          {"is_list", input.is_list},
          {"default", input.default_text.empty() ? Json(nullptr) : Json(input.default_text)},
-         {"min", input.min < -kUnbounded ? Json(nullptr) : Json(input.min)},
-         {"max", input.max > kUnbounded ? Json(nullptr) : Json(input.max)}});
+         {"min", flow::is_limit(input.min) ? Json(input.min) : Json(nullptr)},
+         {"max", flow::is_limit(input.max) ? Json(input.max) : Json(nullptr)}});
   }
   out["aliases"] = Json::array();
   for (const flow::Alias& alias : b.aliases) out["aliases"].push_back(alias.name);

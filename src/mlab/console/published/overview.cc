@@ -10,6 +10,7 @@
 
 #include "mlab/base/angle.h"
 #include "mlab/console/published/colors.h"
+#include "mlab/flow/limit.h"
 #include "mlab/flow/port_types.h"
 #include "mlab/mission/command.h"
 #include "mlab/mission/wording.h"
@@ -18,7 +19,6 @@
 namespace mlab::console {
 namespace {
 
-constexpr double kNoLimit = 1e299;
 constexpr std::uint32_t kNoProgram = 0xffffffffU;
 
 std::string clauses_of(const mission::UnitCommand& c) {
@@ -112,8 +112,8 @@ void encode_port(const flow::Program& program, const flow::Port& port, Port& out
   out.set_type(std::string(port.type->name));
   out.set_unit(clean(port.edge_unit.empty() ? port.unit : port.edge_unit));
   out.set_help(clean(port.help));
-  if (port.min > -kNoLimit) out.set_min(port.min);
-  if (port.max < kNoLimit) out.set_max(port.max);
+  if (flow::is_limit(port.min)) out.set_min(port.min);
+  if (flow::is_limit(port.max)) out.set_max(port.max);
   for (std::string& word : words_of(*port.type)) out.add_choices(std::move(word));
   const std::byte* const initial = program.initial_frame().data();
   out.set_is_number(flow::Program::number(initial, port).has_value());

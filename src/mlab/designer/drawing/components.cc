@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "mlab/flow/frame.h"
+#include "mlab/flow/limit.h"
 #include "mlab/flow/type_words.h"
 #include "mlab/lang/cdl/print/print.h"
 #include "mlab/lang/cdl/syntax/lexer.h"
@@ -19,8 +20,6 @@ namespace mlab::designer {
 namespace {
 
 using flow::TypeKind;
-
-constexpr double kUnbounded = 1e299;
 
 // A constant of CNL as CDL writes it: `{1, 2}` is `[1, 2]`, `Flag|Basket` stands in quotes.
 std::string as_cdl(std::string_view text, const flow::TypeInfo* type) {
@@ -45,8 +44,8 @@ Socket socket_of(const cdl::InputView& view) {
   out.type = view.type;
   out.help = std::string(input.help);
   out.initial = as_cdl(input.default_text, input.type);
-  if (input.min > -kUnbounded) out.min = input.min;
-  if (input.max < kUnbounded) out.max = input.max;
+  if (flow::is_limit(input.min)) out.min = input.min;
+  if (flow::is_limit(input.max)) out.max = input.max;
   out.is_list = input.is_list;
   out.is_required = input.default_text.empty() && !input.is_list;
   return out;

@@ -36,8 +36,8 @@ inline void fire_add(Call& call) {
   call.at<double>(call.output) = call.at<double>(call.inputs[0]) + call.at<double>(call.inputs[1]);
 }
 inline const Behavior& add() {
-  static const Input kInputs[] = {{"a", &type_info<double>(), "", "", false, "", -1e300, 1e300},
-                                  {"b", &type_info<double>(), "", "", false, "0", -1e300, 1e300}};
+  static const Input kInputs[] = {{"a", &type_info<double>(), "", "", false, "", -kNoLimit, kNoLimit},
+                                  {"b", &type_info<double>(), "", "", false, "0", -kNoLimit, kNoLimit}};
   static const Behavior kBehavior = [] {
     Behavior b;
     b.name = "Add";
@@ -100,7 +100,7 @@ inline void fire_sum(Call& call) {
   call.at<double>(call.output) = sum;
 }
 inline const Behavior& sum() {
-  static const Input kInputs[] = {{"values", &type_info<double>(), "", "", true, "", -1e300, 1e300}};
+  static const Input kInputs[] = {{"values", &type_info<double>(), "", "", true, "", -kNoLimit, kNoLimit}};
   static const Behavior kBehavior = [] {
     Behavior b;
     b.name = "Sum";
@@ -119,7 +119,7 @@ inline void fire_show(Call& call) {
   call.cycle->action->drives = true;
 }
 inline const Behavior& show() {
-  static const Input kInputs[] = {{"value", &type_info<double>(), "", "", false, "", -1e300, 1e300}};
+  static const Input kInputs[] = {{"value", &type_info<double>(), "", "", false, "", -kNoLimit, kNoLimit}};
   static const Behavior kBehavior = [] {
     Behavior b;
     b.name = "Show";
@@ -139,7 +139,7 @@ inline void fire_square(Call& call) {
   call.at<double>(call.output) = x * x + 1000.0 * runs;
 }
 inline const Behavior& slow_square() {
-  static const Input kInputs[] = {{"x", &type_info<double>(), "", "", false, "", -1e300, 1e300}};
+  static const Input kInputs[] = {{"x", &type_info<double>(), "", "", false, "", -kNoLimit, kNoLimit}};
   static const Behavior kBehavior = [] {
     Behavior b;
     b.name = "SlowSquare";

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "mlab/flow/limit.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::cdl {
@@ -25,11 +26,10 @@ std::string source_text(const flow::Source& source) {
 }
 
 void put_parameter(std::string& out, const flow::Parameter& parameter) {
-  constexpr double kUnbounded = 1e300;
   out += fmt::format("parameter {}{} {} = {}", parameter.type,
                      parameter.unit.empty() ? "" : fmt::format(" [{}]", parameter.unit), parameter.name,
                      source_text(parameter.initial));
-  if (parameter.min > -kUnbounded || parameter.max < kUnbounded)
+  if (flow::is_limit(parameter.min) || flow::is_limit(parameter.max))
     out += fmt::format(" in {} .. {}", parameter.min, parameter.max);
   out += ';';
   if (!parameter.help.empty()) out += "  ///< " + parameter.help;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "mlab/base/table.h"
+#include "mlab/flow/limit.h"
 
 // What tests may tell a component that it senses: `given obstacle(at = {3, 0});`
 
@@ -40,8 +41,8 @@ struct TestInput {
   std::string_view type;     ///< as parameters have it: `length`, `Point`
   std::string_view initial;  ///< a constant of the type, in SI units; empty: it has to be given
   std::string_view help;
-  double min = -1e300;
-  double max = 1e300;
+  double min = -flow::kNoLimit;
+  double max = flow::kNoLimit;
 };
 
 struct TestPerceptInfo {

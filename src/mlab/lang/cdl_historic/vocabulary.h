@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mlab/flow/library.h"
+#include "mlab/flow/limit.h"
 #include "mlab/lang/cdl/syntax/tree.h"
 
 namespace mlab::cdl_historic {
@@ -19,10 +20,10 @@ struct Port {
   std::string type;  ///< of flow's types
   std::string unit;  ///< empty: none
   bool is_list = false;
-  bool needs_value = false;    ///< has no default
-  cdl::ExpressionPtr initial;  ///< of assemblages; null: none, or a procedure's
-  double min = -1e300;         ///< of the values it takes, in `unit`
-  double max = 1e300;
+  bool needs_value = false;      ///< has no default
+  cdl::ExpressionPtr initial;    ///< of assemblages; null: none, or a procedure's
+  double min = -flow::kNoLimit;  ///< of the values it takes, in `unit`
+  double max = flow::kNoLimit;
 };
 
 /// What of ours can be called, and what comes out.

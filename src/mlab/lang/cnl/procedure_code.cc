@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/flow/limit.h"
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/user_code.h"
 
@@ -261,8 +262,8 @@ class ProcedureCode {
           cpp_string(input.name.text), cpp_type(input.type), cpp_string(input.unit.text),
           cpp_string(input.help), input.is_list);
       text += fmt::format(", .default_text = {}", cpp_string(input.initial ? input.initial->text : ""));
-      text += fmt::format(", .min = {:.17g}, .max = {:.17g}", input.low.value_or(-1e300),
-                          input.high.value_or(1e300));
+      text += fmt::format(", .min = {:.17g}, .max = {:.17g}", input.low.value_or(-flow::kNoLimit),
+                          input.high.value_or(flow::kNoLimit));
       out_.line(text + "},");
     }
     out_.line("  };");

@@ -22,7 +22,7 @@ inline void fire_wander(flow::Call& call) {
 }
 inline const flow::Behavior& wander() {
   static const flow::Input kInputs[] = {
-      {"pace", &flow::type_info<double>(), "", "", false, "", -1e300, 1e300},
+      {"pace", &flow::type_info<double>(), "", "", false, "", -flow::kNoLimit, flow::kNoLimit},
       {"range", &flow::type_info<double>(), "m", "", false, "7", 0.0, 100.0}};
   static const flow::Need kNeeds[] = {{percept::Sensor::kObstacles, 1, 0.0}};
   static const flow::Behavior kBehavior = [] {
