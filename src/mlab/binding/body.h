@@ -20,6 +20,8 @@ inline constexpr BodyIndex kNoBody{0xffffffffU};
 /// kSynchro: all wheels are steered together and driven together, so it turns on the spot and goes where it
 /// looks, each with a motor of its own.
 enum class Drive : std::uint8_t { kHolonomic, kDifferential, kCar, kSynchro };
+/// The last one, for who checks numbers from outside.
+inline constexpr Drive kLastDrive = Drive::kSynchro;
 
 struct Kinematics {
   Drive drive = Drive::kHolonomic;

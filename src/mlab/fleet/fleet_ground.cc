@@ -24,9 +24,8 @@ bool Fleet::is_wreck(const FleetRobot& robot) const {
 }
 
 bool Fleet::is_of_wreck(geom::Point place) const {
-  constexpr double kSame = 0.2;  // sensors are not exact [m]
   return std::ranges::any_of(now_.robots, [&](const FleetRobot& robot) {
-    return is_wreck(robot) && distance(pose(robot).position, place) <= kSame;
+    return is_wreck(robot) && distance(pose(robot).position, place) <= TeamGround::kSame;
   });
 }
 

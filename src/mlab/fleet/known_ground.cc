@@ -13,9 +13,6 @@
 namespace mlab::fleet {
 namespace {
 
-// Who is sensed so near to something known is that: sensors and the place of the robot are not exact [m].
-constexpr double kSame = 0.2;
-
 // The same for the same things in the same order, in every process.
 std::uint64_t revision_of(const ways::Ground& ground, ways::Bounds bounds) {
   std::uint64_t out = 1;

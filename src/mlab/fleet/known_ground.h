@@ -25,6 +25,9 @@ class TeamGround {
   /// What is smaller may be overlooked, so it is never missed [m].
   static constexpr double kSmallest = 0.25;
 
+  /// Who is sensed so near to something known is that: sensors and the place of the robot are not exact [m].
+  static constexpr double kSame = 0.2;
+
   explicit TeamGround(const overlay::Overlay& map);
 
   /// Valid as long as this is.

@@ -133,7 +133,7 @@ std::optional<std::string> problem_of(const wire::RecordedWorld& world) {
 
 std::optional<std::string> problem_of(const wire::RecordedBody& body) {
   if (body.radius() < 0.0) return fmt::format("robot {} has a radius of {} m", body.robot(), body.radius());
-  constexpr auto kLastDrive = static_cast<std::uint32_t>(binding::Drive::kSynchro);
+  constexpr auto kLastDrive = static_cast<std::uint32_t>(binding::kLastDrive);
   if (body.has_kinematics() && body.kinematics().drive() > kLastDrive)
     return fmt::format("robot {} has drive {}, where {} is the last", body.robot(), body.kinematics().drive(),
                        kLastDrive);

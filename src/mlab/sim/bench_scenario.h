@@ -35,6 +35,8 @@ World bench_world(const BenchScenario& scenario);
 /// @param range  of the rays [m]
 BodySpec bench_body(double range);
 
+/// Goals are drawn in the inner 90 per cent of the arena.
+inline constexpr double kShareOfArena = 0.9;
 inline constexpr double kBenchCruise = 0.2;       ///< [m/s]
 inline constexpr double kBenchTurnRate = 1.4286;  ///< [rad/s]
 

@@ -14,7 +14,6 @@ namespace mlab::training {
 namespace {
 
 constexpr std::size_t kRobotsAtOnce = 64;  // what a thread takes in one piece, so that it stays in the cache
-constexpr double kShareOfArena = 0.9;      // as in `mlab bench`
 
 class ScenarioStage final : public Stage {
  public:
@@ -27,7 +26,7 @@ class ScenarioStage final : public Stage {
         scenario_(sim::make_bench_scenario(settings.robots, settings.places)),
         initial_(program_->make_frame()) {
     if (const flow::Port* half = program_->find(settings_.half_parameter))
-      program_->set(initial_.data(), *half, fmt::format("{}", kShareOfArena * scenario_.side / 2.0));
+      program_->set(initial_.data(), *half, fmt::format("{}", sim::kShareOfArena * scenario_.side / 2.0));
     for (std::uint32_t i = 1; i <= settings_.robots; ++i) robots_.push_back({i});
     reset(1);
   }

@@ -20,7 +20,7 @@ constexpr int kMostScans = 64;
 constexpr int kMostBeams = 8192;
 constexpr std::size_t kLongestWhy = 200;       // characters
 constexpr std::size_t kLongestCheckName = 40;  // likewise
-constexpr std::uint32_t kLastDrive = static_cast<std::uint32_t>(binding::Drive::kSynchro);
+constexpr auto kLastDrive = static_cast<std::uint32_t>(binding::kLastDrive);
 
 /// A limit of a vehicle, by what the message calls it.
 struct Quantity {

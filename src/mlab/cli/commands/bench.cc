@@ -25,8 +25,6 @@
 namespace mlab::cli {
 namespace {
 
-constexpr double kShareOfArena = 0.9;  // goals are drawn in the inner 90 per cent of it
-
 std::optional<sim::BenchScenario> scenario_of(const BenchOptions& options, text::Diagnostics& sink) {
   if (options.positions.empty()) return sim::make_bench_scenario(options.robots, options.seed);
   const text::Result<text::SourcePtr> source = read_input(options.positions);
@@ -99,7 +97,7 @@ int bench(const BenchOptions& options) {
   }
   flow::Frame initial = program->make_frame();
   if (const flow::Port* half = program->find("half")) {
-    program->set(initial.data(), *half, fmt::format("{}", kShareOfArena * scenario->side / 2.0));
+    program->set(initial.data(), *half, fmt::format("{}", sim::kShareOfArena * scenario->side / 2.0));
   }
   // The scenario is run twice. Each run begins with a fresh frame, whose memory counts as the robot's.
   std::vector<flow::Frame> frames(scenario->robots.size());

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "mlab/console/published/overview.h"
+#include "mlab/run/pace.h"
 
 namespace mlab::console {
 namespace {
@@ -16,7 +17,6 @@ constexpr double kPiece = 0.02;      // of the first pass: who asks meanwhile wa
 constexpr double kLineEvery = 0.25;  // that the time line is told again, while it grows [s]
 constexpr double kSettled =
     0.15;  // nobody has asked for another moment for so long: then trails are told [s]
-constexpr double kFastest = 1000.0;  // simulated seconds per second
 
 std::string minutes(double time) {
   const auto tenths = static_cast<long>(std::floor(time * 10.0 + 1e-6));
@@ -223,7 +223,7 @@ Answered LookBacks::look_back(const Sender& sender, const LookBack& look) {
       if (looker.wish) wish = *looker.wish;
       break;
   }
-  looker.speed = std::clamp(look.speed(), -kFastest, kFastest);
+  looker.speed = std::clamp(look.speed(), -run::Pace::kFastest, run::Pace::kFastest);
   looker.asked = looker.played = wall_time();
   looker.wants_trails = looker.is_sought = true;
   looker.wish = std::move(wish);

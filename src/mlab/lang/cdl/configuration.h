@@ -86,7 +86,6 @@ const Society* society_meant(const Configuration& configuration, std::string_vie
 /// Operators of the society that the robot is in, from the outside in; empty where it is in none.
 std::vector<const SocietyOperator*> operators_of(const Configuration& configuration, const Robot& robot);
 
-inline constexpr int kMostRobotsOfASociety = 10'000;
 /// Societies of societies: so many in each other.
 inline constexpr std::size_t kMaxSocietyDepth = 500;
 /// The robots of a society with how many there are of each, in the order of the text.

@@ -9,13 +9,14 @@
 
 #include "mlab/lang/envchange/envchange.h"
 #include "mlab/lang/envchange/lexer.h"
+#include "mlab/overlay/limits.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::envchange {
 namespace {
 
-constexpr double kMaxCoordinate = 1e8;  // [m]; past it is a mistake
-constexpr double kMaxCycle = 1e9;       // thirty years of seconds
+using overlay::kMaxCoordinate;
+constexpr double kMaxCycle = 1e9;  // thirty years of seconds
 
 class Parser {
  public:

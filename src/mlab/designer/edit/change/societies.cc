@@ -14,8 +14,6 @@ namespace {
 
 using Member = cdl::SocietyMember;
 
-constexpr std::uint32_t kMostRobots = 10'000;
-
 // Null: there is none.
 template <class AnyMember>
 AnyMember* member_at(AnyMember& top, const auto& path, std::size_t depth) {
@@ -138,8 +136,8 @@ Done set_member(Workspace& work, const SetMember& change) {
   }
   if (!change.by().empty() && !configuration.operators.contains(change.by()))
     return refusal(fmt::format("there is no operator `{}`", text::shown(change.by())));
-  if (change.count() > kMostRobots)
-    return refusal(fmt::format("a team has no more than {} robots", kMostRobots));
+  if (change.count() > static_cast<std::uint32_t>(cdl::kMostRobotsOfASociety))
+    return refusal(fmt::format("a team has no more than {} robots", cdl::kMostRobotsOfASociety));
   return put_member(work, **found, change);
 }
 

@@ -88,15 +88,15 @@ bool parse_caste(Cursor& cursor, SocietyMember& into) {
 
 // `team of 3 Forager`
 bool parse_team(Cursor& cursor, SocietyMember& into) {
-  constexpr double kMostRobots = 10000;
   into.kind = SocietyMember::Kind::kTeam;
   cursor.advance_word();
   if (!cursor.expect("of", "and how many of which robot")) return false;
   const text::Place at = cursor.here();
   const std::optional<double> count = cursor.read_number();
   if (!count) return false;
-  if (*count < 1 || *count > kMostRobots || *count != std::floor(*count)) {
-    cursor.error("bad-count", at, fmt::format("a team has a whole number of robots, 1 .. {}", kMostRobots));
+  if (*count < 1 || *count > kMostRobotsOfASociety || *count != std::floor(*count)) {
+    cursor.error("bad-count", at,
+                 fmt::format("a team has a whole number of robots, 1 .. {}", kMostRobotsOfASociety));
   } else {
     into.count = static_cast<int>(*count);
   }

@@ -277,6 +277,9 @@ struct Robot {
   text::Span whole = {};  ///< from its first word to its end, without its help
 };
 
+/// Of a society, and of each team in it.
+inline constexpr int kMostRobotsOfASociety = 10'000;
+
 /// `team of 3 Forager`, `caste { ... }`, or the name of a robot or society.
 struct SocietyMember {
   enum class Kind { kName, kTeam, kCaste };
