@@ -4,12 +4,14 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/flow/program.h"
+#include "mlab/mission/parameter.h"
 #include "mlab/robot/program/configuration_file.h"
 
 #include "../testing/network.h"
@@ -390,6 +392,25 @@ TEST(StandardTeam, OfOneIsAsGoodAsAlone) {
   team.order(command(Task::kOccupy, {200.0, 400.0}, Formation::kWedge));
   EXPECT_TRUE(team.run(200.0));
   EXPECT_NEAR(team.center().y, 400.0, 1e-6);
+}
+
+// What is checked and shared out before a mission runs asks no program.
+TEST(StandardRobot, HasTheDefaultsThatMissionsAreCheckedBy) {
+  const std::vector<std::pair<const char*, double>> kDefaults = {
+      {"robot_radius", mission::kDefaultBodyRadius},
+      {"avoid_obstacle_safety_margin", mission::kDefaultMargin},
+      {"navigation_avoid_robot_sphere", mission::kDefaultRobotSphere},
+      {"occupy_avoid_robot_sphere", mission::kDefaultRobotSphere},
+      {"navigation_success_radius", mission::kDefaultSuccessRadius},
+      {"formation_spacing", mission::kDefaultSpacing},
+      {"formation_slop", mission::kDefaultSlop},
+      {"formation_default_trigger", mission::kDefaultTrigger},
+  };
+  for (const auto& [name, value] : kDefaults) {
+    const flow::Port* const port = standard().find(name);
+    ASSERT_NE(port, nullptr) << name;
+    EXPECT_EQ(flow::Program::number(standard().initial_frame().data(), *port), value) << name;
+  }
 }
 
 // | `name` | default | unit | meaning |, one for each parameter, in the order of the network.

@@ -7,6 +7,7 @@
 
 #include "mlab/geom/pose.h"
 #include "mlab/mission/mission.h"
+#include "mlab/mission/parameter.h"
 #include "mlab/percept/percepts.h"
 
 namespace mlab::fleet {
@@ -19,9 +20,10 @@ struct Group {
   geom::Point center;                  ///< [m, world]
   geom::Offset center_step;            ///< in the last cycle [m]
   double formation_heading = 0.0;      ///< [rad, world]
-  double spacing = 50.0;               ///< between neighbours [m]
-  double slop = 10.0;                  ///< station error that counts as out of formation [m]
-  double heading_trigger = 100.0;      ///< nearer to the goal the formation no longer turns [m]
+  double spacing = mission::kDefaultSpacing;  ///< between neighbours [m]
+  double slop = mission::kDefaultSlop;        ///< station error that counts as out of formation [m]
+  double heading_trigger =
+      mission::kDefaultTrigger;  ///< nearer to the goal the formation no longer turns [m]
   percept::FormationReference reference =
       percept::FormationReference::kUnitCenter;  ///< what its members measure their stations from
   bool has_center = false;

@@ -9,9 +9,16 @@
 
 namespace mlab::mission {
 
-/// The standard robot's `robot_radius` and `avoid_obstacle_safety_margin` [m].
-inline constexpr double kDefaultBodyRadius = 0.2;
-inline constexpr double kDefaultMargin = 5.0;
+// Parameters of the standard robot where a type sets none, as `library/robots/scout.cdl` has them [m].
+
+inline constexpr double kDefaultBodyRadius = 0.2;  ///< `robot_radius`
+inline constexpr double kDefaultMargin = 5.0;      ///< `avoid_obstacle_safety_margin`
+inline constexpr double kDefaultRobotSphere =
+    30.0;  ///< `navigation_avoid_robot_sphere`, `occupy_avoid_robot_sphere`
+inline constexpr double kDefaultSuccessRadius = 10.0;  ///< `navigation_success_radius`
+inline constexpr double kDefaultSpacing = 50.0;        ///< `formation_spacing`
+inline constexpr double kDefaultSlop = 10.0;           ///< `formation_slop`
+inline constexpr double kDefaultTrigger = 100.0;       ///< `formation_default_trigger`
 
 /// The type of a robot; null where the mission has none of that number.
 inline const RobotType* type_of(const Mission& mission, base::RobotId id) {

@@ -17,7 +17,6 @@
 namespace mlab::mission {
 namespace {
 
-constexpr double kDefaultSpacing = 50.0;  ///< the standard robot's formation_spacing [m]
 constexpr double kShareOfLeg = 0.25;   ///< parts end at most this share of the leg away from the unit's goal
 constexpr double kBoundsPerLeg = 3.0;  ///< a short leg is still done in several bounds
 constexpr double kRoomToPass =

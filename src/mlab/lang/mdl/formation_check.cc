@@ -18,8 +18,6 @@ namespace {
 // A formation of more robots is checked as if it had this many: it doesn't get smaller.
 constexpr int kRobotsLookedAt = 200;
 constexpr std::uint64_t kMaxGapVisits = 10'000'000;  // legs times gaps of the whole mission
-constexpr double kDefaultSpacing = 50.0;             // formation_spacing [m]
-constexpr double kDefaultRobotSphere = 30.0;         // occupy_ and navigation_avoid_robot_sphere [m]
 constexpr double kGap = 0.6;           // between robots that plan ways, as AvoidReciprocally [m]
 constexpr double kSettled = 0.5;       // of a disc: so densely they come to rest in it
 constexpr double kDensest = 0.9069;    // equal discs cover no larger share of a plane
@@ -76,7 +74,8 @@ FormationCheck::FormationCheck(const mission::Mission& mission, text::Diagnostic
     if (measure.kind == overlay::MeasureKind::kGap) gaps_.push_back(&measure);
   }
   for (const mission::RobotType& type : mission.types) {
-    spacing_of_type_.push_back(mission::number_parameter(type, "formation_spacing", kDefaultSpacing));
+    spacing_of_type_.push_back(
+        mission::number_parameter(type, "formation_spacing", mission::kDefaultSpacing));
     radius_of_type_.push_back(mission::number_parameter(type, "robot_radius", mission::kDefaultBodyRadius));
   }
   for (const mission::Robot& robot : mission.robots) type_of_robot_[robot.id.value] = robot.type;
@@ -133,9 +132,9 @@ void FormationCheck::check_leg(const mission::UnitCommand& command, geom::Segmen
                  fmt::format("{} need {:.6g} by {:.6g} m, the mission area has {:.6g} by {:.6g} m",
                              described(members, command.formation), needed.width(), needed.height(),
                              area.width, area.height))
-        .hints.emplace_back(
-            "neighbours stand `formation_spacing` apart, a parameter of NEW-ROBOT (50 m where it is not "
-            "given)");
+        .hints.push_back(fmt::format("neighbours stand `formation_spacing` apart, a parameter of NEW-ROBOT "
+                                     "({} m where it is not given)",
+                                     mission::kDefaultSpacing));
     return;
   }
   if (!has_way) return;
@@ -158,8 +157,9 @@ void FormationCheck::check_room(const mission::UnitCommand& command) {
   const std::vector<base::RobotId>& members = mission::members_of(mission_, command);
   if (command.task != mission::Task::kOccupy || members.size() < 4) return;
   const mission::RobotType& type = mission_.types[type_of_robot_.at(members[0].value)];
-  const double spacing = mission::number_parameter(type, "formation_spacing", kDefaultSpacing);
-  const double sphere = mission::number_parameter(type, "occupy_avoid_robot_sphere", kDefaultRobotSphere);
+  const double spacing = mission::number_parameter(type, "formation_spacing", mission::kDefaultSpacing);
+  const double sphere =
+      mission::number_parameter(type, "occupy_avoid_robot_sphere", mission::kDefaultRobotSphere);
   const bool is_written =
       std::any_of(type.parameters.begin(), type.parameters.end(),
                   [](const auto& parameter) { return parameter.key == "formation_spacing"; });
@@ -201,7 +201,8 @@ void FormationCheck::check_meeting(const mission::UnitCommand& command) {
     check_crowd(command, members.size(), radius_of_type_[type_number]);
     return;
   }
-  const double sphere = mission::number_parameter(type, "navigation_avoid_robot_sphere", kDefaultRobotSphere);
+  const double sphere =
+      mission::number_parameter(type, "navigation_avoid_robot_sphere", mission::kDefaultRobotSphere);
   const double spheres_across = 2.0 * command.radius / sphere + 1.0;
   if (sphere <= 0.0 || static_cast<double>(members.size()) <= kDensest * spheres_across * spheres_across)
     return;

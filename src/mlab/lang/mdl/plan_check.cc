@@ -390,7 +390,7 @@ class PlanCheck {
     if (c.task == Task::kRally) return c.radius;
     const std::uint32_t type = mission_.robots[index_of_.at(robots_of(c).front().value)].type;
     return mission::number_parameter(mission_.types[type], "navigation_success_radius",
-                                     kDefaultSuccessRadius);
+                                     mission::kDefaultSuccessRadius);
   }
 
   // Of who needs most: where he can't come to, the unit does not arrive.

@@ -14,9 +14,6 @@
 
 namespace mlab::mdl {
 
-/// Of a robot's `navigation_success_radius`, where its type sets none [m].
-inline constexpr double kDefaultSuccessRadius = 10.0;
-
 /// Warns of goals that no way leads to from where a unit is: through no gap, however its robots steer.
 /// Only obstacles and walls of the overlay count, and minefields for who keeps out of them. The work is
 /// bounded.
