@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "mlab/flow/limit.h"
+#include "mlab/lang/cnl/alias_signature.h"
 #include "mlab/lang/cnl/check.h"
 #include "mlab/lang/cnl/user_code.h"
 
@@ -269,44 +272,28 @@ class ProcedureCode {
     out_.line("  };");
   }
 
-  // Name and unit of one input under an alias; two historic names are told as `a|b`.
-  static std::string alias_port(const AliasDecl& alias, const InputDecl& input) {
-    std::string names;
-    std::string unit = input.unit.text;
-    for (const AliasPort& port : alias.ports) {
-      if (port.input.text != input.name.text) continue;
-      names += (names.empty() ? "" : "|") + port.name.text;
-      if (!port.unit.text.empty()) unit = port.unit.text;
-    }
-    return fmt::format("{{{}, {}}}", cpp_string(names.empty() ? input.name.text : names), cpp_string(unit));
-  }
-
   void write_aliases() {
     if (procedure_.aliases.empty()) return;
+    std::vector<std::string> rows;
     for (std::size_t i = 0; i < procedure_.aliases.size(); ++i) {
       const AliasDecl& alias = procedure_.aliases[i];
+      const AliasSignature as = signature_of(procedure_, alias);
       std::string ports;
       std::string ignored;
-      for (const InputDecl& input : procedure_.inputs) ports += alias_port(alias, input) + ", ";
-      for (const AliasPort& port : alias.ports) {
-        if (port.input.text == "none") ignored += cpp_string(port.name.text) + ", ";
-      }
+      for (const auto& [name, unit] : as.inputs)
+        ports += fmt::format("{{{}, {}}}, ", cpp_string(name), cpp_string(unit));
+      for (const std::string& name : as.ignored) ignored += cpp_string(name) + ", ";
       if (!ports.empty())
         out_.line(fmt::format("  static constexpr mlab::flow::Alias::Port kPorts{}[] = {{{}}};", i, ports));
       if (!ignored.empty())
         out_.line(fmt::format("  static constexpr std::string_view kIgnored{}[] = {{{}}};", i, ignored));
+      rows.push_back(fmt::format("      {{{}, {}, {}, {}}},", cpp_string(alias.name.text),
+                                 ports.empty() ? "{}" : fmt::format("kPorts{}", i),
+                                 ignored.empty() ? "{}" : fmt::format("kIgnored{}", i),
+                                 cpp_string(as.output_unit)));
     }
     out_.line("  static const mlab::flow::Alias kAliases[] = {");
-    for (std::size_t i = 0; i < procedure_.aliases.size(); ++i) {
-      const AliasDecl& alias = procedure_.aliases[i];
-      const auto ignores = [](const AliasPort& port) { return port.input.text == "none"; };
-      const bool has_ignored = std::ranges::any_of(alias.ports, ignores);
-      out_.line(fmt::format(
-          "      {{{}, {}, {}, {}}},", cpp_string(alias.name.text),
-          procedure_.inputs.empty() ? std::string("{}") : fmt::format("kPorts{}", i),
-          has_ignored ? fmt::format("kIgnored{}", i) : std::string("{}"),
-          cpp_string(alias.output_unit.text.empty() ? procedure_.output_unit.text : alias.output_unit.text)));
-    }
+    for (const std::string& row : rows) out_.line(row);
     out_.line("  };");
   }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/lang/cnl/alias_signature.h"
 #include "mlab/lang/cnl/cpp_writer.h"
 #include "mlab/lang/cnl/lexer.h"
 #include "mlab/lang/cnl/types.h"
@@ -100,23 +101,12 @@ void Signatures::add(const Procedure& procedure) {
 }
 
 void Signatures::add_alias(const Procedure& procedure, const AliasDecl& alias, Parts& parts) {
+  const AliasSignature as = signature_of(procedure, alias);
   auto& ports = parts.ports.emplace_back();
   auto& ignored = parts.ignored.emplace_back();
-  for (const InputDecl& input : procedure.inputs) {
-    std::string names;
-    std::string unit = input.unit.text;
-    for (const AliasPort& port : alias.ports) {
-      if (port.input.text != input.name.text) continue;
-      names += (names.empty() ? "" : "|") + port.name.text;
-      if (!port.unit.text.empty()) unit = port.unit.text;
-    }
-    ports.push_back({keep(names.empty() ? input.name.text : names), keep(unit)});
-  }
-  for (const AliasPort& port : alias.ports) {
-    if (port.input.text == "none") ignored.push_back(keep(port.name.text));
-  }
-  const Word& unit = alias.output_unit.text.empty() ? procedure.output_unit : alias.output_unit;
-  parts.aliases.push_back({keep(alias.name.text), ports, ignored, keep(unit.text)});
+  for (const auto& [name, unit] : as.inputs) ports.push_back({keep(name), keep(unit)});
+  for (const std::string& name : as.ignored) ignored.push_back(keep(name));
+  parts.aliases.push_back({keep(alias.name.text), ports, ignored, keep(as.output_unit)});
 }
 
 }  // namespace mlab::cnl

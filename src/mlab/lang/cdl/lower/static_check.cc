@@ -281,6 +281,22 @@ void StaticCheck::errors_of(const Society& society) {
   check_circle(society);
 }
 
+void StaticCheck::warn_unused(const std::vector<Parameter>& parameters, const std::vector<Let>& lets,
+                              const std::set<std::string>& used) {
+  for (const Parameter& parameter : parameters) {
+    if (used.contains(parameter.name.text)) continue;
+    sink_
+        .warning("unused-parameter", parameter.name.place,
+                 fmt::format("parameter `{}` is never used", parameter.name.text))
+        .label = "setting it changes nothing";
+  }
+  for (const Let& let : lets) {
+    if (used.contains(let.name.text)) continue;
+    sink_.warning("unused-let", let.name.place, fmt::format("`{}` is never used", let.name.text)).label =
+        "it is never evaluated";
+  }
+}
+
 void StaticCheck::warnings_of(const Assemblage& assemblage) {
   parameters_ = &assemblage.parameters;
   lets_ = &assemblage.lets;
@@ -290,18 +306,7 @@ void StaticCheck::warnings_of(const Assemblage& assemblage) {
   for (const Parameter& parameter : assemblage.parameters) {
     if (parameter.initial) used.merge(names_used(*parameter.initial));
   }
-  for (const Parameter& parameter : assemblage.parameters) {
-    if (used.contains(parameter.name.text)) continue;
-    sink_
-        .warning("unused-parameter", parameter.name.place,
-                 fmt::format("parameter `{}` is never used", parameter.name.text))
-        .label = "setting it changes nothing";
-  }
-  for (const Let& let : assemblage.lets) {
-    if (used.contains(let.name.text)) continue;
-    sink_.warning("unused-let", let.name.place, fmt::format("`{}` is never used", let.name.text)).label =
-        "it is never evaluated";
-  }
+  warn_unused(assemblage.parameters, assemblage.lets, used);
   sequence_warnings(*assemblage.body);
   for (const Let& let : assemblage.lets) sequence_warnings(*let.value);
 }
@@ -316,18 +321,7 @@ void StaticCheck::warnings_of(const Robot& robot) {
       found != configuration_.classes.end()) {
     for (const Parameter& parameter : found->second->parameters) used.insert(parameter.name.text);
   }
-  for (const Parameter& parameter : robot.parameters) {
-    if (used.contains(parameter.name.text)) continue;
-    sink_
-        .warning("unused-parameter", parameter.name.place,
-                 fmt::format("parameter `{}` is never used", parameter.name.text))
-        .label = "setting it changes nothing";
-  }
-  for (const Let& let : robot.lets) {
-    if (used.contains(let.name.text)) continue;
-    sink_.warning("unused-let", let.name.place, fmt::format("`{}` is never used", let.name.text)).label =
-        "it is never evaluated";
-  }
+  warn_unused(robot.parameters, robot.lets, used);
   for (const Let& let : robot.lets) sequence_warnings(*let.value);
   for (const Drive& drive : robot.drives) sequence_warnings(*drive.value);
 }

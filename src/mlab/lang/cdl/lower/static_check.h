@@ -28,6 +28,8 @@ class StaticCheck {
 
  private:
   void check_names(const std::vector<Parameter>& parameters, const std::vector<Let>& lets);
+  void warn_unused(const std::vector<Parameter>& parameters, const std::vector<Let>& lets,
+                   const std::set<std::string>& used);
   void sequence_errors(const Expression& expression);
   void sequence_errors(const Sequence& sequence, const text::Place& place);
   void sequence_warnings(const Expression& expression);
