@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "mlab/fleet/assignment.h"
 #include "mlab/percept/object_colors.h"
 
 namespace mlab::fleet {
@@ -87,8 +88,8 @@ void Fleet::form_teams(const mission::Mission& mission) {
   for (std::uint32_t i = 0; i < mission.units.size(); ++i) {
     if (is_part[i]) continue;
     for (const base::RobotId id : mission.units[i].members) {
-      const FleetRobot* const member = find(id);
-      if (member != nullptr && member->team >= kAlone) now_.robots[index_of(*member)].team = i;
+      FleetRobot* const member = find_own(id);
+      if (member != nullptr && member->team >= kAlone) member->team = i;
     }
   }
   for (const FleetRobot& robot : now_.robots) {
@@ -127,12 +128,17 @@ const FleetRobot* Fleet::find(base::RobotId id) const {
   return at != now_.robots.end() && at->id == id ? &*at : nullptr;
 }
 
+FleetRobot* Fleet::find_own(base::RobotId id) {
+  const FleetRobot* const found = find(id);
+  return found == nullptr ? nullptr : &now_.robots[index_of(*found)];
+}
+
 std::expected<binding::Placement, std::string> Fleet::start(base::RobotId id, geom::Pose pose) {
-  const FleetRobot* found = find(id);
+  FleetRobot* const found = find_own(id);
   if (found == nullptr) return std::unexpected("can't start: there is no such robot");
   if (found->life == RobotLife::kRunning || found->life == RobotLife::kParked)
     return std::unexpected("is started already");
-  FleetRobot& robot = now_.robots[index_of(*found)];
+  FleetRobot& robot = *found;
   const auto placement = embody(robot, pose);
   if (!placement) return placement;
   robot.start = placement->pose;
@@ -158,15 +164,14 @@ std::expected<binding::Placement, std::string> Fleet::embody(FleetRobot& robot, 
 }
 
 std::optional<std::string> Fleet::replace(base::RobotId id) {
-  const FleetRobot* found = find(id);
+  FleetRobot* const found = find_own(id);
   if (found == nullptr) return fmt::format("there is no robot {}", id.value);
   if (found->life != RobotLife::kFaulted)
     return fmt::format("robot {} has no fault that another one would be needed for: {}", id.value,
                        name(found->life));
-  const std::size_t index = index_of(*found);
-  FleetRobot& robot = now_.robots[index];
+  FleetRobot& robot = *found;
   if (!robot.ailment.empty()) {
-    if (const auto placement = embody(robot, now_.poses[index]); !placement)
+    if (const auto placement = embody(robot, pose(robot)); !placement)
       return fmt::format("robot {} {}", id.value, placement.error());
   }
   if (start_program(robot)) return std::nullopt;
@@ -281,25 +286,24 @@ void Fleet::order(const mission::effect::Order& effect) {
 }
 
 void Fleet::stop(base::RobotId id) {
-  const FleetRobot* found = find(id);
-  if (found == nullptr || found->life == RobotLife::kNotStarted) return;
-  const auto index = static_cast<std::uint32_t>(index_of(*found));
+  FleetRobot* const robot = find_own(id);
+  if (robot == nullptr || robot->life == RobotLife::kNotStarted) return;
+  const auto index = static_cast<std::uint32_t>(index_of(*robot));
   leave_groups({&index, 1});
-  now_.robots[index].life = RobotLife::kStopped;
-  now_.robots[index].action = {};
+  robot->life = RobotLife::kStopped;
+  robot->action = {};
 }
 
 void Fleet::set_joystick(base::RobotId id, const percept::Joystick& joystick) {
-  const FleetRobot* found = find(id);
-  if (found == nullptr) return;
-  FleetRobot& robot = now_.robots[index_of(*found)];
-  robot.joystick = joystick;
-  robot.is_stick_held = true;
+  FleetRobot* const robot = find_own(id);
+  if (robot == nullptr) return;
+  robot->joystick = joystick;
+  robot->is_stick_held = true;
 }
 
 void Fleet::let_go_of_stick(base::RobotId id) {
   set_joystick(id, {});
-  if (const FleetRobot* found = find(id)) now_.robots[index_of(*found)].is_stick_held = false;
+  if (FleetRobot* const robot = find_own(id)) robot->is_stick_held = false;
 }
 
 void Fleet::set_teleoperated(std::span<const base::RobotId> robots) {
@@ -433,19 +437,18 @@ Fleet::Bodies Fleet::bodies() const {
 
 std::optional<std::string> Fleet::set_parameter(base::RobotId id, std::string_view path,
                                                 const std::string& value) {
-  const FleetRobot* found = find(id);
-  if (found == nullptr) return fmt::format("there is no robot {}", id.value);
-  FleetRobot& robot = now_.robots[index_of(*found)];
-  if (robot.runner == nullptr) return fmt::format("robot {} has no program", id.value);
-  return robot.runner->set(robot.member, path, value);
+  FleetRobot* const robot = find_own(id);
+  if (robot == nullptr) return fmt::format("there is no robot {}", id.value);
+  if (robot->runner == nullptr) return fmt::format("robot {} has no program", id.value);
+  return robot->runner->set(robot->member, path, value);
 }
 
 std::expected<FleetRobot*, std::string> Fleet::running(base::RobotId id) {
-  const FleetRobot* found = find(id);
-  if (found == nullptr) return std::unexpected(fmt::format("there is no robot {}", id.value));
-  if (found->life != RobotLife::kRunning)
-    return std::unexpected(fmt::format("robot {} does not run: {}", id.value, name(found->life)));
-  return &now_.robots[index_of(*found)];
+  FleetRobot* const robot = find_own(id);
+  if (robot == nullptr) return std::unexpected(fmt::format("there is no robot {}", id.value));
+  if (robot->life != RobotLife::kRunning)
+    return std::unexpected(fmt::format("robot {} does not run: {}", id.value, name(robot->life)));
+  return robot;
 }
 
 std::vector<robot::SilentMachine> Fleet::silent_machines() const {
@@ -473,12 +476,11 @@ std::optional<std::string> Fleet::hold(base::RobotId id, std::string_view port, 
   return (*robot)->runner->hold((*robot)->member, port, value);
 }
 
-// NOLINTNEXTLINE(readability-make-member-function-const): it changes one of the robots
 std::optional<std::string> Fleet::release(base::RobotId id, std::string_view port) {
-  const FleetRobot* found = find(id);
-  if (found == nullptr || found->runner == nullptr)
+  FleetRobot* const robot = find_own(id);
+  if (robot == nullptr || robot->runner == nullptr)
     return fmt::format("there is no robot {} that holds", id.value);
-  return found->runner->release(found->member, port);
+  return robot->runner->release(robot->member, port);
 }
 
 percept::Percepts Fleet::perceive_at(const FleetRobot& robot, const geom::Pose& pose,
@@ -579,12 +581,8 @@ void Fleet::note_calls(const FleetRobot& robot) {
 }
 
 void Fleet::notify(base::RobotId id, std::string_view notification) {
-  const auto robot = std::ranges::find(now_.robots, id, &FleetRobot::id);
-  if (robot == now_.robots.end()) return;
-  std::vector<std::uint64_t>& inbox = robot->notifications;
-  const std::uint64_t hash = base::hash_text(notification);
-  const auto at = std::ranges::lower_bound(inbox, hash);
-  if (at == inbox.end() || *at != hash) inbox.insert(at, hash);
+  if (FleetRobot* const robot = find_own(id))
+    put_notification(robot->notifications, base::hash_text(notification));
 }
 
 std::vector<RobotCall> Fleet::take_calls() {

@@ -194,6 +194,8 @@ class Fleet {
     std::vector<std::pair<std::uint32_t, ways::Round>> found;   // on the ground, and new; by robot's index
     std::vector<std::pair<std::uint32_t, geom::Point>> missed;  // what is known and no longer there, likewise
   };
+  /// As find.
+  FleetRobot* find_own(base::RobotId id);
   /// One whose program runs now. @errors  a sentence
   std::expected<FleetRobot*, std::string> running(base::RobotId id);
   std::size_t index_of(const FleetRobot& robot) const {

@@ -16,11 +16,6 @@ using percept::Claim;
 using percept::Request;
 using percept::SharedPlace;
 
-void put(std::vector<std::uint64_t>& inbox, std::uint64_t notification) {
-  const auto at = std::ranges::lower_bound(inbox, notification);
-  if (at == inbox.end() || *at != notification) inbox.insert(at, notification);
-}
-
 void take(std::vector<std::uint64_t>& inbox, std::uint64_t notification) {
   const auto at = std::ranges::lower_bound(inbox, notification);
   if (at != inbox.end() && *at == notification) inbox.erase(at);
@@ -60,6 +55,11 @@ bool is_told(const Request& request) {
 }
 
 }  // namespace
+
+void put_notification(std::vector<std::uint64_t>& inbox, std::uint64_t notification) {
+  const auto at = std::ranges::lower_bound(inbox, notification);
+  if (at == inbox.end() || *at != notification) inbox.insert(at, notification);
+}
 
 std::span<const SharedPlace> Messages::places(const FleetRobot& robot) const {
   return is_limited_ ? robot.places : places_;
@@ -130,7 +130,7 @@ void Messages::read(FleetRobot& robot) {
       wishes_.push_back({robot.team, claim, !is_held, cost});
     }
     if (request.kind == Request::Kind::kNotify && request.audience == Audience::kSelf)
-      put(robot.notifications, request.notification);
+      put_notification(robot.notifications, request.notification);
   }
 }
 
@@ -177,7 +177,7 @@ void Messages::tell(std::vector<FleetRobot>& robots, double time, const binding:
       if (nets_[i] != nets_[from] || (is_news && !is_to_all && robot.team != teller.team)) continue;
       if (i != from && !(robot.body != binding::kNoBody && radio.arrives(teller.body, robot.body))) continue;
       if (is_news)
-        put(robot.notifications, request.notification);
+        put_notification(robot.notifications, request.notification);
       else if (is_passage)
         hear(robot.passages, passage);
       else
@@ -189,7 +189,8 @@ void Messages::tell(std::vector<FleetRobot>& robots, double time, const binding:
   if (broadcasts_.empty()) return;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     for (const Broadcast& one : std::ranges::equal_range(broadcasts_, nets_[i], {}, &Broadcast::net)) {
-      if (one.is_to_all || one.team == robots[i].team) put(robots[i].notifications, one.notification);
+      if (one.is_to_all || one.team == robots[i].team)
+        put_notification(robots[i].notifications, one.notification);
     }
   }
 }
@@ -201,9 +202,9 @@ void Messages::deliver(std::vector<FleetRobot>& robots) {
   std::ranges::sort(to_teams_);
   to_teams_.erase(std::ranges::unique(to_teams_).begin(), to_teams_.end());
   for (FleetRobot& robot : robots) {
-    for (const std::uint64_t notification : to_all_) put(robot.notifications, notification);
+    for (const std::uint64_t notification : to_all_) put_notification(robot.notifications, notification);
     for (const Letter& letter : std::ranges::equal_range(to_teams_, robot.team, {}, &Letter::team))
-      put(robot.notifications, letter.notification);
+      put_notification(robot.notifications, letter.notification);
   }
 }
 

@@ -16,6 +16,9 @@ namespace mlab::fleet {
 
 struct FleetRobot;
 
+/// Into an inbox, where notifications stand in ascending order, each once.
+void put_notification(std::vector<std::uint64_t>& inbox, std::uint64_t notification);
+
 /// What the robots of a run tell each other without anybody's help: notifications, places, claims,
 /// contracts.
 ///

@@ -219,4 +219,8 @@ struct State {
   friend bool operator==(const State&, const State&) = default;
 };
 
+/// Null where the mission has no robot of that id.
+RobotState* find_robot(State& state, base::RobotId id);
+const RobotState* find_robot(const State& state, base::RobotId id);
+
 }  // namespace mlab::mission

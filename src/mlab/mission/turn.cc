@@ -8,15 +8,6 @@
 namespace mlab::mission {
 namespace {
 
-template <class Robots>
-auto find_robot_in(Robots& robots, base::RobotId id) -> decltype(robots.data()) {
-  // Ids are dense from 1 in every mission that was not edited: try that first.
-  const std::size_t guess = std::size_t{id.value} - 1;
-  if (guess < robots.size() && robots[guess].id == id) return &robots[guess];
-  const auto at = std::ranges::lower_bound(robots, id, {}, &RobotState::id);
-  return at != robots.end() && at->id == id ? &*at : nullptr;
-}
-
 template <class Groups>
 auto find_group_in(Groups& groups, std::uint32_t sequence) -> decltype(groups.data()) {
   const auto at = std::ranges::lower_bound(groups, sequence, {}, &Group::sequence);
@@ -30,12 +21,6 @@ void tell(Turn& turn, effect::Tell::Kind kind, std::string text, std::uint32_t o
   emit(turn, effect::Tell{kind, is_step(s, owner) ? s.step : kNoStep, command, std::move(text)});
 }
 
-RobotState* find_robot(State& state, base::RobotId id) {
-  return find_robot_in(state.robots, id);
-}
-const RobotState* find_robot(const State& state, base::RobotId id) {
-  return find_robot_in(state.robots, id);
-}
 Group* find_group(State& state, std::uint32_t sequence) {
   return find_group_in(state.groups, sequence);
 }

@@ -39,9 +39,6 @@ inline void warn(Turn& turn, std::string text, std::uint32_t owner = kNoOwner) {
   tell(turn, effect::Tell::Kind::kWarning, std::move(text), owner);
 }
 
-/// Null where the mission has no robot of that id.
-RobotState* find_robot(State& state, base::RobotId id);
-const RobotState* find_robot(const State& state, base::RobotId id);
 /// Null where nobody is under that order any more.
 Group* find_group(State& state, std::uint32_t sequence);
 const Group* find_group(const State& state, std::uint32_t sequence);

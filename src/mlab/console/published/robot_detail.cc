@@ -27,18 +27,12 @@ struct SensedObstacle {
   float x, y, radius;
 };
 
-const mission::RobotState* state_of(const run::MissionRun& run, const FleetRobot& robot) {
-  const auto& robots = run.state().robots;
-  const auto at = std::ranges::lower_bound(robots, robot.id, {}, &mission::RobotState::id);
-  return at == robots.end() || at->id != robot.id ? nullptr : &*at;
-}
-
 void encode_command(const run::MissionRun& run, const Estimates& estimates, const FleetRobot& robot,
                     RobotDetail& out) {
   out.set_remaining(-1.0);
   out.set_arrival(-1.0);
   const mission::State& state = run.state();
-  const mission::RobotState* known = state_of(run, robot);
+  const mission::RobotState* known = mission::find_robot(run.state(), robot.id);
   const fleet::Group* group = run.fleet().group(robot);
   if (group != nullptr && group->command) {
     const mission::Mission& mission = *state.mission;
@@ -174,7 +168,7 @@ std::vector<std::string> waits_for(const run::MissionRun& run, const FleetRobot&
   const mission::State& state = run.state();
   if (run.is_stopped()) out.emplace_back("an emergency stop holds all robots until it is released");
   if (state.paused) out.emplace_back("the run is paused");
-  const mission::RobotState* known = state_of(run, robot);
+  const mission::RobotState* known = mission::find_robot(run.state(), robot.id);
   if (known != nullptr && known->run < state.runs.size()) {
     const mission::Run& command = state.runs[known->run];
     out.push_back(fmt::format("`{}` waits for {}", state.commands[command.record].text,

@@ -135,10 +135,9 @@ void Alarms::look_for_progress(const run::MissionRun& run, const FleetRobot& rob
 
 void Alarms::look_for_silence(const run::MissionRun& run, const FleetRobot& robot, Robot& known,
                               EventLog& log) {
-  const std::vector<mission::RobotState>& robots = run.state().robots;
-  const auto at = std::ranges::lower_bound(robots, robot.id, {}, &mission::RobotState::id);
-  if (at == robots.end() || at->id != robot.id) return;
-  const bool is_lost = at->seen != 0 && at->seen != run.state().cycle;
+  const mission::RobotState* const state = mission::find_robot(run.state(), robot.id);
+  if (state == nullptr) return;
+  const bool is_lost = state->seen != 0 && state->seen != run.state().cycle;
   if (is_lost && !known.is_lost) {
     log.add(run.time(), entry(Log::LOST, fmt::format("robot {} no longer reports", robot.id.value), robot,
                               run.fleet().pose(robot).position, true));

@@ -6,11 +6,6 @@
 namespace mlab::console {
 namespace {
 
-const mission::RobotState* find(const mission::State& state, base::RobotId id) {
-  const auto at = std::ranges::lower_bound(state.robots, id, {}, &mission::RobotState::id);
-  return at == state.robots.end() || at->id != id ? nullptr : &*at;
-}
-
 bool is_of(const mission::State& state, const mission::Run& run, const mission::RobotState* robot) {
   return robot != nullptr && robot->run == static_cast<std::uint32_t>(&run - state.runs.data());
 }
@@ -29,7 +24,7 @@ double farthest(const mission::State& state, const mission::Run& run) {
 }  // namespace
 
 double remaining_of(const mission::State& state, const mission::Run& run, base::RobotId id) {
-  const mission::RobotState* robot = find(state, id);
+  const mission::RobotState* robot = mission::find_robot(state, id);
   if (is_steered(run) || !is_of(state, run, robot)) return -1.0;
   if (robot->done) return 0.0;
   return std::isfinite(robot->remaining) ? robot->remaining : -1.0;
@@ -63,7 +58,7 @@ Estimates::Estimate Estimates::of(const mission::State& state, const mission::Ru
   const auto at = tracks_.find(run.record);
   double sum = 0.0;
   for (const base::RobotId id : run.needed) {
-    const mission::RobotState* robot = find(state, id);
+    const mission::RobotState* robot = mission::find_robot(state, id);
     if (!is_of(state, run, robot)) continue;
     const double initial = at == tracks_.end() ? -1.0 : at->second.initial_of(id);
     const double remaining = remaining_of(state, run, id);
