@@ -1,6 +1,7 @@
 // What teams know of the ground: what their robots find and miss on it.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -45,9 +46,9 @@ void Fleet::note_found(std::uint32_t robot, const percept::Percepts& percepts, d
     if (!ground.knows(place)) worker.found.push_back({robot, {place, one.radius}});
   }
   // Once a second or so, not all robots at once.
-  constexpr std::int64_t kEvery = 10;
+  const auto every = static_cast<std::int64_t>(std::max(1.0, std::round(1.0 / percepts.cycle_duration)));
   const auto cycle = static_cast<std::int64_t>(percepts.time / percepts.cycle_duration);
-  if ((cycle + robot) % kEvery != 0) return;
+  if ((cycle + robot) % every != 0) return;
   for (const geom::Point place : ground.missed(percepts.pose, reach, percepts.obstacles)) {
     if (!is_of_wreck(place)) worker.missed.emplace_back(robot, place);
   }

@@ -189,8 +189,7 @@ class Program {
   /// Equal for two programs whose frames can't be told apart: where the same network was built with the same
   /// library in two processes, either may read the other's frames.
   std::uint64_t layout_hash() const;
-  /// How many nodes there are to evaluate, and how many operations remain after sharing.
-  std::size_t node_count() const { return node_count_; }
+  /// How many operations remain after sharing.
   std::size_t instruction_count() const { return instructions_.size(); }
   /// All nodes that have a value, and conversions between two; nodes that share one stand there once.
   const std::vector<NodeWires>& wires() const { return wires_; }
@@ -358,7 +357,6 @@ class Program {
   std::vector<NeedySequence> needy_sequences_;
   std::vector<MixtureCode> mixtures_;
   std::vector<NodeWires> wires_;
-  std::size_t node_count_ = 0;
   Frame initial_;
   std::vector<KeptCode> kept_;    ///< for `carry_over` only
   std::vector<LargeCode> large_;  ///< what stands behind all others

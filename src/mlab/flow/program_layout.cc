@@ -109,7 +109,6 @@ std::vector<std::uint32_t> ProgramBuilder::order(const std::vector<std::uint32_t
 void ProgramBuilder::lay_out() {
   place_values();
   program_->root_ = emit(roots());
-  program_->node_count_ = network_.nodes.size();
   assign_stamps();
   emit_mixtures();
   for (std::uint32_t i = 0; i < ops_.size(); ++i) {

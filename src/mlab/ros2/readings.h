@@ -47,8 +47,6 @@ class Readings {
   double jump(Time now) const;
   /// Whether it has been seen standing since, in two messages that were said later.
   bool has_stood_since(Time then) const;
-  /// Something in its odometry that `stamp` is of.
-  bool has_been_heard() const { return odometry_.has_value(); }
 
   const RobotClock& clock() const { return clock_; }
   /// The robot's own frame; empty: it has not been told.

@@ -24,7 +24,6 @@ class TrailRecorder {
   void clear();
   /// @param until  points that came later are left out [s]
   void encode(Trails& out, double until = std::numeric_limits<double>::infinity()) const;
-  std::size_t point_count() const { return count_; }
 
  private:
   struct Point {

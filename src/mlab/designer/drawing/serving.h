@@ -31,7 +31,6 @@ Equipped equipped(const Model& model, std::string_view name);
 
 /// The nodes of a class's page that are no devices: `$body.drive` for what the `drive` of its body says.
 inline constexpr std::string_view kBodyNode = "$body.";
-inline constexpr std::string_view kBodyParts[] = {"body", "drive", "ring", "camera", "radio"};
 
 /// Why a component can't serve a binding point, as a sentence; empty: it can.
 std::string why_not_serving(const Callable& component, const cdl::Binding& binding,
