@@ -16,11 +16,6 @@ namespace {
 
 using percept::Percepts;
 using ways::PlannedWay;
-using ways::WayEnd;
-
-bool leads_there(const PlannedWay& way) {
-  return way.end != WayEnd::kClosedOff && way.end != WayEnd::kNowhere;
-}
 
 // The corners and the middles of the sides of a box round all that is known, as far as the area reaches.
 std::array<geom::Point, 8> places_around(const Percepts& percepts) {
@@ -53,7 +48,7 @@ std::array<geom::Point, 8> places_around(const Percepts& percepts) {
 
 bool is_shut_in(const Percepts& percepts, double radius, double margin) {
   return std::ranges::none_of(places_around(percepts), [&](geom::Point place) {
-    return leads_there(plan_way(percepts.ground, way_begin(percepts, radius), place, radius, margin));
+    return !plan_way(percepts.ground, way_begin(percepts, radius), place, radius, margin).is_closed_off();
   });
 }
 
@@ -88,7 +83,7 @@ std::optional<std::size_t> look_at_next(const Percepts& percepts, double radius,
   if (outlook.looked_at < route.size()) {
     const std::size_t number = outlook.looked_at++;
     const bool leads =
-        leads_there(plan_way(percepts.ground, way_begin(percepts, radius), route[number], radius, margin));
+        !plan_way(percepts.ground, way_begin(percepts, radius), route[number], radius, margin).is_closed_off();
     outlook.leads_out = outlook.leads_out || leads;
     if (leads) return number;
     outlook.closed.add(number % kMostErrands);
@@ -113,7 +108,7 @@ bool tell_of_shut_in(const Percepts& percepts, double radius, double margin, Out
   outlook.closed = {};
   const geom::Point place = percepts.order.route.front();
   const PlannedWay way = plan_way(percepts.ground, way_begin(percepts, radius), place, radius, margin);
-  const geom::Point last = way.count == 0 ? here : way.points().back();
+  const geom::Point last = way.count == 0 ? here : way.whole_last();
   alert(action, "Way",
         fmt::format("no way leads out of where robot {} is: {} is in front of it", percepts.id.value,
                     what_blocks(percepts.ground, last, place)));

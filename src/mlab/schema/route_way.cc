@@ -14,10 +14,6 @@ namespace {
 using ways::PlannedWay;
 using ways::WayEnd;
 
-bool is_closed(const PlannedWay& way) {
-  return way.end == WayEnd::kClosedOff || way.end == WayEnd::kNowhere;
-}
-
 constexpr double kRounded = 1e-3;  // corners lie a little outside of arcs that they stand for [m]
 
 bool is_free(const percept::KnownGround& ground, const geom::Segment& piece, double clearance) {
@@ -70,7 +66,7 @@ class RouteLine {
 
   /// @param passed  so many of the route's corners one has passed there
   void go_on(geom::Point corner, double clearance, std::size_t passed) {
-    if (!takes_place_of_last(corner, clearance)) {
+    if (way_.end == WayEnd::kFull || !takes_place_of_last(corner, clearance)) {
       between_.clear();
       way_.append(corner, room_);
     }
@@ -138,7 +134,8 @@ std::span<const geom::Point> as_far_as_free(const percept::KnownGround& ground, 
 /// @param room  for so many corners
 RouteWay route_way(const percept::KnownGround& ground, geom::Point from, std::span<const geom::Point> corners,
                    double radius, double margin, std::size_t room) {
-  constexpr int kMostLegs = 400;  // some milliseconds, or hundredths of a second among many things
+  constexpr int kMostLegs = 400;    // some milliseconds, or hundredths of a second among many things
+  constexpr int kMostBeyond = 100;  // of those that there is no room for any more
   RouteWay found;
   PlannedWay& out = found.way;
   out.clearance = radius + margin;
@@ -147,17 +144,18 @@ RouteWay route_way(const percept::KnownGround& ground, geom::Point from, std::sp
   geom::Point here = from;
   std::size_t passed = 0;
   int legs = 0;
+  int beyond = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     std::size_t last = last_in_line(here, corners, i);
     PlannedWay leg = plan_way(ground, here, corners[last], radius, margin);
-    for (++legs; last > i && (leg.count > 2 || is_closed(leg)); ++legs) {
+    for (++legs; last > i && (leg.count > 2 || leg.is_closed_off()); ++legs) {
       last = i + (last - i) / 2;  // it might not pass those in between
       leg = plan_way(ground, here, corners[last], radius, margin);
     }
     i = last;
     const bool is_last = i + 1 == corners.size();
-    if (!is_last && is_closed(leg)) {
-      found.left_out.push_back({i, corners[i], leg.count == 0 ? here : leg.points().back()});
+    if (!is_last && leg.is_closed_off()) {
+      found.left_out.push_back({i, corners[i], leg.count == 0 ? here : leg.whole_last()});
       continue;
     }
     const auto points = is_last ? leg.points() : as_far_as_free(ground, leg, corners[i]);
@@ -167,16 +165,17 @@ RouteWay route_way(const percept::KnownGround& ground, geom::Point from, std::sp
     }
     if (leg.count > 0) {
       out.clearance = std::min(out.clearance, leg.clearance);
-      here = points.back();
+      here = leg.end == WayEnd::kFull ? leg.whole_last() : points.back();
     }
-    if (legs > kMostLegs && !is_last && out.count >= 2) out.end = WayEnd::kFull;
-    if (out.end == WayEnd::kFull || leg.end == WayEnd::kFull) {
-      out.end = WayEnd::kFull;
-      out.beyond =
-          static_cast<float>(distance(out.points().back(), corners[i]) + route_length(corners.subspan(i)));
+    if (leg.end == WayEnd::kFull) out.append_beyond(leg.length_beyond(), leg.whole_last());
+    if (is_last) {
+      out.set_whole_end(leg.whole_end());
+    } else if ((legs > kMostLegs && out.count >= 2) ||
+               (out.end == WayEnd::kFull && ++beyond > kMostBeyond)) {
+      const auto rest = corners.subspan(i + 1);
+      out.append_beyond(distance(here, rest.front()) + route_length(rest), rest.back());
       return found;
     }
-    if (is_last) out.end = leg.end;
   }
   return found;
 }
@@ -196,12 +195,13 @@ std::optional<RouteWay> go_on_along_route(const percept::KnownGround& ground, co
   constexpr std::size_t kMostBehind = PlannedWay::kMostCorners / 3;
   const geom::Point here = point_on(before, at);
   RouteWay out = route_way(ground, here, corners, radius, margin, PlannedWay::kMostCorners - kMostBehind);
-  if (out.way.count < 2 || (is_closed(out.way) && !out.left_out.empty())) return std::nullopt;
+  const bool is_closed = out.way.end == WayEnd::kClosedOff || out.way.end == WayEnd::kNowhere;
+  if (out.way.count < 2 || (is_closed && !out.left_out.empty())) return std::nullopt;
   const PlannedWay ahead = out.way;
   std::array<geom::Point, kMostBehind> behind;
   const std::size_t count = line_behind(ground, before, at, ahead.clearance, behind);
-  out.way.count = 0;
-  out.way.passed.fill(0);
+  out.way = {};
+  out.way.clearance = ahead.clearance;
   for (std::size_t i = count; i > 0; --i) out.way.append(behind[i - 1]);
   const double cut_at = count == 0 ? at : at - route_length(out.way.points()) - distance(behind[0], here);
   for (std::size_t i = 0; i < ahead.points().size(); ++i) {
@@ -210,6 +210,9 @@ std::optional<RouteWay> go_on_along_route(const percept::KnownGround& ground, co
   }
   out.behind = at - cut_at;
   out.way.end = ahead.end;
+  out.way.end_beyond = ahead.end_beyond;
+  out.way.beyond = ahead.beyond;
+  out.way.last_beyond = ahead.last_beyond;
   out.way.cut_off = static_cast<float>(std::max(0.0, cut_at));
   out.way.length = route_length(out.way.points());
   return out;

@@ -83,9 +83,10 @@ const std::vector<Polyline>& legs_of(const Percepts& percepts, double radius, do
   geom::Point from = tour.empty() ? geom::Point{} : tour.back();
   for (const geom::Point& place : tour) {
     const ways::PlannedWay way = plan_way(percepts.ground, from, place, radius, margin);
-    const bool leads = way.end == ways::WayEnd::kGoal || way.end == ways::WayEnd::kBesideGoal;
     const auto points = way.points();
-    known.all.push_back(leads ? Polyline(points.begin(), points.end()) : Polyline{from, place});
+    known.all.push_back(way.is_closed_off() ? Polyline{from, place}
+                                            : Polyline(points.begin(), points.end()));
+    if (way.end == ways::WayEnd::kFull) known.all.back().push_back(way.whole_last());
     from = known.all.back().back();
   }
   return known.all;

@@ -118,8 +118,8 @@ PlannedWay put_together(const Site& tight, geom::Point from, const ways::Way& wa
   if (end != WayEnd::kGoal) return out;
   if (tight.clearing().is_free(goal))
     out.append(goal);
-  else if (out.end != WayEnd::kFull)
-    out.end = WayEnd::kBesideGoal;
+  else
+    out.set_whole_end(WayEnd::kBesideGoal);
   return out;
 }
 
@@ -151,7 +151,7 @@ std::optional<PlannedWay> way_near(Site& tight, geom::Point from, geom::Point be
 // With a last piece straight to the goal, as far as nothing is in front of it.
 PlannedWay up_to_the_goal(const ways::Clearing& clearing, PlannedWay way, geom::Point goal) {
   if (way.count == 0) return way;
-  const geom::Point last = way.points().back();
+  const geom::Point last = way.whole_last();
   double open = 0.0;  // share of that piece
   double closed = 1.0;
   constexpr double kExact = 0.1;  // [m]
@@ -159,9 +159,7 @@ PlannedWay up_to_the_goal(const ways::Clearing& clearing, PlannedWay way, geom::
     const double middle = 0.5 * (open + closed);
     (clearing.is_free(geom::Segment{last, last + (goal - last) * middle}) ? open : closed) = middle;
   }
-  const WayEnd end = way.end;
   way.append(last + (goal - last) * open);
-  way.end = end;
   return way;
 }
 
@@ -321,7 +319,7 @@ bool leads_on(const percept::KnownGround& ground, bool is_same_ground, const Pla
               geom::Point from, double stray, bool is_body, const OnRoute* on_route, double& off) {
   off = std::numeric_limits<double>::infinity();
   if (!is_same_ground &&
-      (way.end == WayEnd::kClosedOff || !is_open(ground, way) || is_end_taken(ground, way)))
+      (way.whole_end() == WayEnd::kClosedOff || !is_open(ground, way) || is_end_taken(ground, way)))
     return false;
   const double length = way_length(way);
   const double at = nearest_on(way, from, on_route == nullptr ? 0.0 : on_route->at, length);
@@ -386,7 +384,8 @@ Piece piece_around(const PlannedWay& way, double length, const WayAt& way_at, do
 }  // namespace
 
 PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& way, geom::Vector station,
-                        const std::function<double()>& in_file, double at, geom::Point here, double away) {
+                        const std::function<double()>& in_file, double at, geom::Point here, double away,
+                        double most) {
   constexpr double kStep = 2.0;         // [m]
   constexpr int kMostPlaces = 100'000;  // that are looked at: a way may come from anybody, and say any length
   const auto points = way.points();
@@ -416,8 +415,11 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
   };
   if (ground.revision == 0 || way.count < 2) return {place_at(std::min(at, end)), std::min(at, end)};
   const ways::Clearing& clearing = sites().at(ground, way.clearance)->clearing();
+  PlaceAhead on_the_way{way_at(at), at};  // on the way itself
   for (int step = 0; step < kMostPlaces && at + kStep * step < end; ++step) {
     const double there = at + kStep * step;
+    if (there - at > most) return on_the_way;
+    if (distance(on_the_way.place, here) < away) on_the_way = {way_at(there), there};
     const geom::Point place = place_at(there);
     if (distance(place, here) >= away && clearing.is_free(place)) return {place, there};
     // Where the first and the last of places in line are beyond the same edge, none of them is free.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -93,8 +94,11 @@ struct PlaceAhead {
 /// @param at       how far along the way, at most as far as the station is at the way's end [m]
 /// @param here     the robot's place [m, world]
 /// @param away     how far from there it is at least, if the way goes on [m]
+/// @param most     so far it moves on where something stands; where that goes on for longer it is on the way
+///                 itself, so that nothing of the way is left out [m]
 PlaceAhead place_on_way(const percept::KnownGround& ground, const ways::PlannedWay& way, geom::Vector station,
-                        const std::function<double()>& in_file, double at, geom::Point here, double away);
+                        const std::function<double()>& in_file, double at, geom::Point here, double away,
+                        double most = std::numeric_limits<double>::infinity());
 
 /// Of its pieces together [m].
 inline double way_length(const ways::PlannedWay& way) {
