@@ -21,7 +21,7 @@ namespace mlab::ways {
 /// cell and the nearest point of the piece, or one of its ends. Lanes run through the middles of cells.
 class SearchGrid {
  public:
-  static constexpr std::size_t kMostCells = 1'000'000;
+  static constexpr std::size_t kMostCells = 4'000'000;
 
   /// Nothing: it would have too many cells.
   static std::optional<SearchGrid> over(const Lanes& lanes, double swath);
