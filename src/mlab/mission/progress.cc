@@ -256,11 +256,11 @@ bool has_lost_robots(const State& state, const Run& run) {
   });
 }
 
-// All that it is for were lost: nobody is left who could come nearer to being done.
+// All that it is for were lost or stopped: nobody is left who could come nearer to being done.
 bool has_nobody_left(const State& state, const Run& run) {
   return std::ranges::all_of(run.needed, [&](base::RobotId id) {
     const RobotState* robot = find_robot(state, id);
-    return robot != nullptr && robot->life == RobotState::Life::kStarted && robot->seen != 0 &&
+    return robot != nullptr && robot->life != RobotState::Life::kNotStarted && robot->seen != 0 &&
            !robot->is_running;
   });
 }
