@@ -243,6 +243,39 @@ TEST_F(Planned, ALineIsFollowedToItsEndHoweverItIsDrawn) {
   follow("Dense", "Wedge", 4, 700.0, 10.0);
 }
 
+// Between shelves: the way has more corners than one can tell at once, and is ten times as long as it looks.
+TEST_F(Planned, AWayOfManyCornersIsGoneToItsEndHoweverSlowly) {
+  std::string shelves;
+  for (int i = 1; i < 20; ++i)
+    shelves += fmt::format("WALL w{} {} {} {} {}\n", i, i % 2 == 1 ? 0 : 6, 12 * i, i % 2 == 1 ? 294 : 300, 12 * i);
+  for (const char* goal : {"150 234", "145 233"}) {
+    make_run("MISSION-AREA 300 240\n" + shelves +
+             fmt::format("{}UNIT <team> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT team START 10 6 0 2\n"
+                         "1. UNIT team MOVETO {} FORMATION Column SPEED 1\n",
+                         goal[1] == '5' ? "" : "OBSTACLE 145 233 2\n", goal));
+    EXPECT_TRUE(go(80'000)) << goal << "\n" << told_;
+    EXPECT_EQ(contacts(), 0U);
+    told_.clear();
+  }
+}
+
+// Whose stations are by the wall all along go in file there, and leave nothing out.
+TEST_F(Planned, ALineRoundAHouseIsFollowedByThoseOnTheSideOfItsWallToo) {
+  roads_ = "WALL House 150 100 250 100 250 200 150 200 150 100\nROAD Round 120 94 256 94 256 206 144 206 144 110\n";
+  for (const char* formation : {"Diamond", "Wedge", "Column"}) {
+    make_run(fmt::format(
+        "MISSION-AREA 400 300\nOVERLAY road.odl\nNEW-ROBOT planner robot blue \"\" (formation_spacing = 5)\n"
+        "UNIT <team> planner planner planner planner\n"
+        "COMMAND LIST:\n0. UNIT team START 100 60\n1. UNIT team FOLLOW Round FORMATION {}\n",
+        formation));
+    EXPECT_TRUE(go(6'000)) << formation << "\n" << told_;
+    EXPECT_EQ(contacts(), 0U);
+    for (const fleet::FleetRobot& robot : run_->fleet().robots())
+      EXPECT_GT(run_->fleet().driven(robot), 350.0) << formation << ", robot " << robot.id.value;
+    told_.clear();
+  }
+}
+
 // The last one has to come out of a bow; without being told to, nobody waits for it.
 TEST_F(Planned, AUnitKeepsTogetherWhereItIsToldTo) {
   const auto longest = [&](const std::string& set) {

@@ -415,11 +415,14 @@ PlaceAhead place_on_way(const percept::KnownGround& ground, const PlannedWay& wa
   };
   if (ground.revision == 0 || way.count < 2) return {place_at(std::min(at, end)), std::min(at, end)};
   const ways::Clearing& clearing = sites().at(ground, way.clearance)->clearing();
-  PlaceAhead on_the_way{way_at(at), at};  // on the way itself
+  const auto on_the_way = [&](double farthest) {
+    double there = at;
+    while (there + kStep < farthest && distance(way_at(there), here) < away) there += kStep;
+    return PlaceAhead{way_at(there), there};
+  };
   for (int step = 0; step < kMostPlaces && at + kStep * step < end; ++step) {
     const double there = at + kStep * step;
-    if (there - at > most) return on_the_way;
-    if (distance(on_the_way.place, here) < away) on_the_way = {way_at(there), there};
+    if (there - at > most) return on_the_way(there);
     const geom::Point place = place_at(there);
     if (distance(place, here) >= away && clearing.is_free(place)) return {place, there};
     // Where the first and the last of places in line are beyond the same edge, none of them is free.

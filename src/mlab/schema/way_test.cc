@@ -95,7 +95,27 @@ TEST(PlanWay, GoesOnWhereItIsTooLongToBeToldAlsoToAGoalThatSomethingStandsOn) {
   for (const Point goal : {Point{190.0, 100.0}, Point{188.1, 100.0}}) {
     const auto way = plan_way(known.ground(), {2.0, 100.0}, goal, 0.2, 0.1);
     EXPECT_EQ(way.end, WayEnd::kFull);
+    EXPECT_FALSE(way.is_closed_off());
+    EXPECT_LT(distance(way.whole_last(), goal), 2.0) << "where all of it ends";
+    EXPECT_NEAR(way_length(way) + way.length_beyond(), 46 * 194.0, 46 * 4.0 + 200.0);
   }
+  EXPECT_EQ(plan_way(known.ground(), {2.0, 100.0}, {188.1, 100.0}, 0.2, 0.1).whole_end(), WayEnd::kBesideGoal);
+}
+
+TEST(PlanWay, SaysThatNoWayLeadsThereAlsoWhereItIsTooLongToBeTold) {
+  Known known;
+  for (int i = 1; i < 48; ++i)
+    known.walls.push_back({{4.0 * i, i % 2 == 0 ? 3.0 : 0.0}, {4.0 * i, i % 2 == 0 ? 200.0 : 197.0}});
+  for (const auto& [a, b] : std::initializer_list<std::pair<Point, Point>>{
+           {{192.0, 80.0}, {198.0, 80.0}}, {{198.0, 80.0}, {198.0, 120.0}}, {{198.0, 120.0}, {192.0, 120.0}},
+           {{192.0, 120.0}, {192.0, 80.0}}})
+    known.walls.push_back({a, b});
+  known.revision = next_revision();
+  const Point goal{195.0, 100.0};
+  const auto way = plan_way(known.ground(), {2.0, 100.0}, goal, 0.2, 0.1);
+  EXPECT_EQ(way.end, WayEnd::kFull);
+  EXPECT_TRUE(way.is_closed_off());
+  EXPECT_LT(distance(way.whole_last(), goal), 10.0) << "as near as a way leads";
 }
 
 TEST(PlanWay, EndsAtAGoalNearSomething) {
@@ -201,6 +221,29 @@ TEST(PlaceOnWay, IsNeverBehindTheWallsOfACorner) {
     EXPECT_GT(place.x, 6.0) << ahead;
     EXPECT_GT(place.y, 6.0) << ahead;
   }
+}
+
+// A house beside the way of who follows a line, its wall 3 m from his station.
+TEST(PlaceOnWay, IsOnTheWayWhereItWouldMoveOnTooFar) {
+  Known known;
+  known.walls = {{{20.0, 53.0}, {180.0, 53.0}}};
+  known.revision = next_revision();
+  ways::PlannedWay way;
+  way.corners[0] = {10.0, 40.0};
+  way.corners[1] = {195.0, 40.0};
+  way.count = 2;
+  way.clearance = 5.2;
+  way.end = WayEnd::kGoal;
+  const Point here{30.0, 45.0};
+  const auto place = [&](double most) {
+    return place_on_way(
+        known.ground(), way, {0.0, 10.0, 0.0}, [] { return 0.0; }, 25.0, here, 7.0, most);
+  };
+  EXPECT_GT(place(1e300).place.x, 180.0) << "where nothing stands at its station";
+  EXPECT_EQ(place(36.0).place.y, 40.0);
+  EXPECT_LT(place(36.0).place.x, 50.0);
+  EXPECT_GE(distance(place(36.0).place, here), 7.0);
+  EXPECT_EQ(place(36.0).at, place(36.0).place.x - 10.0);
 }
 
 ways::PlannedWay way_along(const std::vector<Point>& corners) {
