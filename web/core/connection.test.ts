@@ -43,6 +43,7 @@ class FakeSocket {
 let sockets: FakeSocket[] = [];
 let drawings: (() => void)[] = [];
 let posted: string[] = [];
+let post: () => Promise<boolean>;
 
 function connect(): { connection: Connection; model: Model; socket: FakeSocket } {
   const model = new Model();
@@ -56,9 +57,9 @@ function connect(): { connection: Connection; model: Model; socket: FakeSocket }
         return sockets.at(-1) as unknown as WebSocket;
       },
       afterDrawing: (done) => void drawings.push(done),
-      async post(url) {
+      post(url) {
         posted.push(url);
-        return true;
+        return post();
       },
       isStranger: async () => false,
     },
@@ -72,6 +73,7 @@ beforeEach(() => {
   sockets = [];
   drawings = [];
   posted = [];
+  post = async () => true;
 });
 afterEach(() => {
   vi.useRealTimers();
@@ -189,4 +191,41 @@ test("an emergency stop goes both ways, and counts when one of them arrived", as
   expect(posted).toEqual(["http://127.0.0.1:8080/stop?token=abc"]);
   socket.fail(1006);
   expect(await stopped).toBe(true);
+});
+
+test("an emergency stop that the server confirms does not wait for the other way", async () => {
+  post = () => new Promise(() => {});
+  const { connection, socket } = connect();
+  socket.open();
+  const stopped = connection.emergencyStop();
+  const request = socket.sent.findLast(({ body }) => body.case === "emergencyStop")!.request;
+  socket.say({ case: "reply", value: { request, ok: true } });
+  expect(await stopped).toBe(true);
+});
+
+test("an emergency stop that was posted does not wait for a silent socket", async () => {
+  const { connection, socket } = connect();
+  socket.open();
+  expect(await connection.emergencyStop()).toBe(true);
+  expect(socket.cases).toContain("emergencyStop");
+});
+
+test("an emergency stop that goes neither way is told within seconds", async () => {
+  post = () => new Promise(() => {});
+  const { connection } = connect();
+  let stopped: boolean | undefined;
+  void connection.emergencyStop().then((ok) => {
+    stopped = ok;
+  });
+  await vi.advanceTimersByTimeAsync(4_000);
+  expect(stopped).toBeUndefined();
+  await vi.advanceTimersByTimeAsync(1_500);
+  expect(stopped).toBe(false);
+  expect(posted).toHaveLength(1);
+});
+
+test("an emergency stop that is refused both ways is told at once", async () => {
+  post = () => Promise.reject(new TypeError("failed to fetch"));
+  const { connection } = connect();
+  expect(await connection.emergencyStop()).toBe(false);
 });

@@ -13,6 +13,8 @@ import {
 import { ServerLink, type Speech, withToken } from "./server_link.ts";
 import { Watching } from "./watching.ts";
 
+const kLongestPost = 5000; // ms until a stop that was posted counts as lost
+
 /** What the browser gives, replaced in tests. */
 export interface Surroundings {
   open(url: string): WebSocket;
@@ -75,13 +77,15 @@ export class Connection {
     return this.link.tell(order);
   }
 
-  /** By both ways, the socket and a request of its own, whichever is there first. */
-  async emergencyStop(): Promise<boolean> {
-    const [reply, posted] = await Promise.all([
-      this.ask({ case: "emergencyStop", value: {} }),
-      this.surroundings.post(withToken(this.options.page, "stop")).catch(() => false),
-    ]);
-    return reply.ok || posted;
+  /**
+   * By both ways at once, the socket and a request of its own. True as soon as one of them arrived, false when neither
+   * did. For the request nobody waits long; but it stays on its way, and stops the robots also where it arrives late.
+   */
+  emergencyStop(): Promise<boolean> {
+    const asked = this.ask({ case: "emergencyStop", value: {} }).then(({ ok }) => ok);
+    const posted = this.surroundings.post(withToken(this.options.page, "stop"));
+    const late = new Promise<boolean>((resolve) => setTimeout(() => resolve(false), kLongestPost));
+    return Promise.any([asked, Promise.race([posted, late])].map(arrived)).catch(() => false);
   }
 
   /** `/report` and the like, with the token. */
@@ -102,6 +106,12 @@ export class Connection {
     const frame = body.value.number;
     this.surroundings.afterDrawing(() => this.tell({ case: "acknowledge", value: { frame } }));
   }
+}
+
+/** Fails where it did not arrive. */
+async function arrived(way: Promise<boolean>): Promise<true> {
+  if (!(await way)) throw new Error("it did not arrive");
+  return true;
 }
 
 /** The key by which the server knows this tab again after a reload. */
