@@ -110,7 +110,7 @@ const WebArrows& web_arrows() {
 
       // The operator console: what every panel may ask, panels, what shows them.
       {"console/session", {"core/map", "ui/commands"}},
-      {"console/time", {"console/session", "ui/time"}},
+      {"console/time", {"console/session", "ui/files", "ui/time"}},
       {"console/breakpoints", {"console/time"}},
       {"console/map_editing", {"console/session"}},
       {"console/command", {"console/map_editing", "ui/text"}},
@@ -155,7 +155,7 @@ const WebArrows& web_arrows() {
       {"designer/views", {"designer/sight", "designer/running", "designer/compare"}},
       {"designer/palette", {"designer/views"}},
       {"designer/tour", {"designer/sight"}},
-      {"designer/exports", {"designer/sight"}},
+      {"designer/exports", {"designer/sight", "ui/files"}},
       {"designer/actions", {"designer/exports", "designer/names", "designer/palette", "designer/tour"}},
       {"designer/canvas", {"designer/actions"}},
       {"designer/problems", {"designer/session"}},

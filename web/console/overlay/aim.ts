@@ -1,11 +1,10 @@
 // Where the pointer is while control measures are drawn and changed, on the grid where there is one.
 import { distance, type Point } from "../../core/geometry.ts";
+import { kDragStart } from "../../core/map/input.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import type { MapPointer } from "../../core/map/tool.ts";
 import { editStore } from "../map_editing/edit_store.ts";
 import { snapPoint, toolGrid } from "../map_editing/snap.ts";
-
-const kDragStart = 4; // px
 
 export class Aim {
   /** On which it is; nothing: the tool is not taken up. */

@@ -1,5 +1,6 @@
 // What is shown, saved as a picture, a drawing or a table.
 import type uPlot from "uplot";
+import { offer } from "../../ui/files/offer.ts";
 import { type ExportSeries, toCsv, toSvg } from "./export.ts";
 import type { Recorder } from "./recorder.ts";
 import { alignSamples, type SampleBuffer } from "./samples.ts";
@@ -19,7 +20,7 @@ export function saveCsv({ strips, recorder, span }: ShownPlots): void {
   const lines = strips.flatMap((strip) => strip.lines.map((line) => ({ line, unit: strip.unit })));
   const table = alignSamples(lines.map(({ line }) => samplesIn(recorder.recordingOf(line.key)?.buffer, span)));
   const series = lines.map(({ line, unit }) => ({ label: seriesLabel(line.spec), unit, color: "", dash: [] }));
-  save("plots.csv", new Blob([toCsv(table, series)], { type: "text/csv" }));
+  offer("plots.csv", new Blob([toCsv(table, series)], { type: "text/csv" }));
 }
 
 export function saveSvg({ strips, recorder, span, colors }: ShownPlots): void {
@@ -37,7 +38,7 @@ export function saveSvg({ strips, recorder, span, colors }: ShownPlots): void {
     text: style.getPropertyValue("--text").trim() || "#000000",
     grid: style.getPropertyValue("--line").trim() || "#dddddd",
   });
-  save("plots.svg", new Blob([text], { type: "image/svg+xml" }));
+  offer("plots.svg", new Blob([text], { type: "image/svg+xml" }));
 }
 
 /** As on the screen: title, legend and lines of each strip. */
@@ -64,7 +65,7 @@ export async function savePng({ strips, colors, plots }: ShownPlots): Promise<vo
     y += canvas.height + head;
   }
   const blob = await new Promise<Blob | null>((done) => picture.toBlob(done, "image/png"));
-  if (blob) save("plots.png", blob);
+  if (blob) offer("plots.png", blob);
 }
 
 function drawHead(
@@ -114,12 +115,4 @@ function samplesIn(buffer: SampleBuffer | undefined, span: { from: number; to: n
     times: Float64Array.from(inside, (i) => near.times[i] as number),
     values: Float64Array.from(inside, (i) => near.values[i] as number),
   };
-}
-
-function save(name: string, blob: Blob): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

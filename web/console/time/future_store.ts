@@ -3,6 +3,7 @@ import type { MessageInitShape } from "@bufbuild/protobuf";
 import type { Changeable, Changeable_Text, WhatIf_ChangeSchema, WhatIfSchema } from "../../core/protocol.ts";
 import { readMoment } from "../../core/run_time.ts";
 import { Store } from "../../core/store.ts";
+import { offer } from "../../ui/files/offer.ts";
 import { sentence } from "../../ui/words/sentence.ts";
 import { perSession, type Session } from "../session/session.ts";
 import { bookmarksOf } from "./bookmarks.ts";
@@ -224,13 +225,7 @@ export class FutureStore extends Store<FutureParts> {
       return;
     }
     const { name, content } = reply.result.value;
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(
-      new Blob([content as Uint8Array<ArrayBuffer>], { type: "application/octet-stream" }),
-    );
-    link.download = name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    offer(name, new Blob([content as Uint8Array<ArrayBuffer>], { type: "application/octet-stream" }));
   }
 }
 

@@ -1,5 +1,6 @@
 // Obstacles and objects by mouse: add, move, resize, nudge, remove.
 import type { Point } from "../../core/geometry.ts";
+import { kDragStart } from "../../core/map/input.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import { fade } from "../../core/map/palette.ts";
 import type { MapPointer, MapTool, Pen } from "../../core/map/tool.ts";
@@ -29,8 +30,6 @@ interface Drag {
   now: readonly Thing[];
   isMoved: boolean;
 }
-
-const kDragStart = 4; // px
 
 export class WorldTool implements MapTool {
   readonly name = "world";

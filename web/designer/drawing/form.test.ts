@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { Node_Shape, NodeSchema } from "../session/protocol.ts";
-import { formOf, kHeadHeight, kRowHeight, portOf, rowId, withUnit } from "./form.ts";
+import { formOf, kHeadHeight, kRowHeight, portOf, rowId } from "./form.ts";
 import { outlinePath } from "./outline.ts";
 
 const noise = create(NodeSchema, {
@@ -37,13 +37,6 @@ test("inputs of lists are told apart by their place", () => {
   expect(rowId("members", 2)).toBe("members[2]");
   expect(portOf("members[2]")).toEqual({ port: "members", index: 2 });
   expect(portOf("readings")).toEqual({ port: "readings" });
-});
-
-test("only bare numbers get a unit", () => {
-  expect(withUnit("10", "s")).toBe("10 s");
-  expect(withUnit("-.5", "m")).toBe("-.5 m");
-  expect(withUnit("50 cm", "m")).toBe("50 cm");
-  expect(withUnit("Orange", "m")).toBe("Orange");
 });
 
 test("outlines are closed", () => {

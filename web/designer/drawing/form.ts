@@ -2,6 +2,7 @@
 // the exported pictures all go by this, so they agree, and nothing has to be measured in the page.
 import { type Node, Node_Shape, type Port } from "../session/protocol.ts";
 import { widthOf } from "./text_width.ts";
+import { withUnit } from "./value_words.ts";
 
 export type Outline = "box" | "sum" | "arrow" | "octagon" | "hexagon" | "pill" | "tag" | "sink";
 export type Tone =
@@ -228,11 +229,6 @@ export function rowLabel(port: Port): string {
 function rowName(port: Port): string {
   const name = port.name.replaceAll("_", " ");
   return port.index === undefined ? name : `${name} ${port.index + 1}`;
-}
-
-/** A bare number gets the input's unit. */
-export function withUnit(value: string, unit: string): string {
-  return unit !== "" && /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(value.trim()) ? `${value} ${unit}` : value;
 }
 
 function even(value: number): number {

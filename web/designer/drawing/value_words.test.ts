@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { endWords, fieldLabel, limitWords, typeWords } from "./value_words.ts";
+import { endWords, fieldLabel, limitWords, typeWords, withUnit } from "./value_words.ts";
 
 test("types and units are said in words", () => {
   expect(typeWords("double", "s")).toBe("a number, in seconds");
@@ -26,4 +26,13 @@ test("range and default are said, ends that mean none are not", () => {
 test("angles are said in degrees", () => {
   expect(endWords(Math.PI, "rad")).toBe("180 deg");
   expect(limitWords({ min: -7, max: 7, initial: "90 deg", unit: "rad" })).toBe("-401 deg to 401 deg, default 90 deg.");
+});
+
+test("only bare numbers get a unit", () => {
+  expect(withUnit("10", "s")).toBe("10 s");
+  expect(withUnit("-.5", "m")).toBe("-.5 m");
+  expect(withUnit("50 cm", "m")).toBe("50 cm");
+  expect(withUnit("Orange", "m")).toBe("Orange");
+  expect(withUnit("1.2.3", "m")).toBe("1.2.3");
+  expect(limitWords({ initial: "1.2.3", unit: "m" })).toBe("Default 1.2.3.");
 });

@@ -62,7 +62,7 @@ export function limitWords({ min, max, initial, unit }: Limits): string {
   return words === "" ? "" : `${words[0]!.toUpperCase()}${words.slice(1)}.`;
 }
 
-/** A bare number is in the input's own unit. */
-function withUnit(value: string, unit: string): string {
-  return unit !== "" && /^[-+]?[\d.]+(e[-+]?\d+)?$/i.test(value) ? `${value} ${unit}` : value;
+/** A bare number is in the input's own unit, and gets it. */
+export function withUnit(value: string, unit: string): string {
+  return unit !== "" && /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(value.trim()) ? `${value} ${unit}` : value;
 }

@@ -1,5 +1,6 @@
 // The drawing that is shown, as a file or on paper.
 
+import { offer } from "../../ui/files/offer.ts";
 import type { Designer } from "../session/designer.ts";
 import { titleOf } from "../session/titles.ts";
 import { placesOf, wholePlaces } from "../sight/use_places.ts";
@@ -23,14 +24,6 @@ export async function exportDrawing(designer: Designer, what: "svg" | "png" | "p
   const png = await asPng(svg, width, height);
   if (png) offer(`${name}.png`, png);
   else designer.tell("The browser could not make a picture of it.");
-}
-
-function offer(name: string, content: Blob): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
 /** At twice the size, but no larger than a browser can draw. */

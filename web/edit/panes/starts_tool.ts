@@ -1,12 +1,12 @@
 // Where robots start, set with the mouse: a click adds a place, dragging moves one, a click on one takes it away.
 import { distance, type Point } from "../../core/geometry.ts";
+import { kDragStart } from "../../core/map/input.ts";
 import type { MapView } from "../../core/map/map_view.ts";
 import { fill, kSans, stroke, writeText } from "../../core/map/strokes.ts";
 import type { MapPointer, MapTool, Pen } from "../../core/map/tool.ts";
 
 const kReach = 12; // px
 const kRadius = 9; // px
-const kDragStart = 4; // px
 
 export interface StartPlaces {
   get(): readonly Point[];
