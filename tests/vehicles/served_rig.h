@@ -41,7 +41,7 @@ class MessageWay {
 /// no more.
 class ServedRig final : public Rig {
  public:
-  /// @param make_vehicle  in a process that begins with the vehicle at a place
+  /// In a process that begins with the vehicle at a place.
   using MakeVehicle = std::function<std::unique_ptr<Device>(const geom::Pose& place)>;
 
   ServedRig(std::uint64_t seed, const Facts& facts, MakeVehicle make_vehicle);

@@ -12,11 +12,11 @@
 namespace mlab::cli {
 
 /// The emergency stop of a fleet, for a run.
-/// @param by       what others call it: `run patrol on base`
-/// @param identity folder of the identity that it takes part with; empty: the fleet is not secured. That
-/// somebody
-///                 was withdrawn from the fleet is an alert: who has joined trusts whom it trusted then
-/// @errors         a sentence
+/// @param by        what others call it: `run patrol on base`
+/// @param identity  folder of the identity that it takes part with; empty: the fleet is not secured. That
+///                  somebody was withdrawn from the fleet is an alert: who has joined trusts whom it
+///                  trusted then
+/// @errors  a sentence
 std::expected<std::shared_ptr<run::StopLine>, std::string> fleet_stop_line(
     std::shared_ptr<agents::Roster> roster, std::string by, const std::string& identity);
 

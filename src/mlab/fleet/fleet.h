@@ -229,10 +229,10 @@ class Fleet {
   void add_told(const FleetRobot& robot, const percept::Needs& needs, double dt,
                 percept::Percepts& out) const;
   const TeamGround& ground_of(const FleetRobot& robot) const;
-  /// @param reach  how far it sees everything [m]; 0: it may overlook things
   bool is_wreck(const FleetRobot& robot) const;
   /// Whether a wreck stands there.
   bool is_of_wreck(geom::Point place) const;
+  /// @param reach  how far it sees everything [m]; 0: it may overlook things
   void note_found(std::uint32_t robot, const percept::Percepts& percepts, double reach, Worker& worker) const;
   /// Teams remember what their robots found, and forget what they missed.
   void add_found();

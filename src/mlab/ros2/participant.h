@@ -76,11 +76,12 @@ class RosParticipant {
 
   /// @param name  over DDS: `rt/veh1/odom`
   /// @param type  as ROS calls it, for its hash; empty: it has none
-  /// @param in    the participant; 0: this one
   /// @errors  a sentence
   std::expected<Endpoint, std::string> reader(const std::string& name,
                                               const dds_topic_descriptor_t& descriptor, std::string_view type,
                                               const TopicQos& qos) const;
+  /// The same.
+  /// @param in  the participant; 0: this one
   std::expected<Endpoint, std::string> writer(const std::string& name,
                                               const dds_topic_descriptor_t& descriptor, std::string_view type,
                                               const TopicQos& qos, dds_entity_t in = 0) const;

@@ -34,9 +34,9 @@ class Stage {
   /// @errors  a sentence: it can't be made
   virtual std::optional<std::string> reset(std::uint64_t seed) = 0;
   /// One cycle.
-  /// @param actions     rows of `acted()`, robots() of them
-  /// @param is_given_up asked again and again while a robot's own process is waited for
-  /// @param seen        as of `observe`, after the cycle; empty: nobody looks
+  /// @param actions      rows of `acted()`, robots() of them
+  /// @param is_given_up  asked again and again while a robot's own process is waited for
+  /// @param seen         as of `observe`, after the cycle; empty: nobody looks
   /// @errors  a sentence about the first number that is not taken; nothing has happened
   virtual std::optional<std::string> step(std::span<const double> actions,
                                           const std::function<bool()>& is_given_up,

@@ -1,6 +1,5 @@
 #include "mlab/console/published/overview.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -64,9 +63,9 @@ void encode_command(const mission::Mission& mission, const mission::Command& com
 }
 
 // By robot id, which named unit is the smallest one around it.
-std::map<base::RobotId, std::size_t> smallest_units(const mission::Mission& mission, std::size_t count) {
+std::map<base::RobotId, std::size_t> smallest_units(const mission::Mission& mission) {
   std::map<base::RobotId, std::size_t> out;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < mission.units.size(); ++i) {
     if (mission.units[i].name.empty()) continue;
     for (const base::RobotId id : mission.units[i].members) {
       const auto [at, is_new] = out.try_emplace(id, i);
@@ -123,8 +122,7 @@ void encode_port(const flow::Program& program, const flow::Port& port, Port& out
 
 void encode_roster(const run::MissionRun& run, Roster& out) {
   const mission::Mission& mission = run.mission();
-  const std::size_t count_units = mission.units.size();
-  const auto units = smallest_units(mission, count_units);
+  const auto units = smallest_units(mission);
   std::map<std::string, const mission::RobotType*> types;
   for (const mission::RobotType& type : mission.types) types[type.name] = &type;
   std::map<const flow::Program*, std::uint32_t> programs;
@@ -153,22 +151,19 @@ void encode_roster(const run::MissionRun& run, Roster& out) {
 }
 
 void encode_units(const mission::Mission& mission, Roster& out) {
-  const std::size_t count_units = mission.units.size();
-  std::vector<std::int32_t> named(count_units, -1);  // index among the named units
-  for (std::size_t i = 0; i < count_units; ++i) {
-    if (!mission.units[i].name.empty())
-      named[i] = static_cast<std::int32_t>(std::count_if(named.begin(),
-                                                         named.begin() + static_cast<std::ptrdiff_t>(i),
-                                                         [](std::int32_t n) { return n >= 0; }));
+  const std::size_t count = mission.units.size();
+  std::vector<std::int32_t> named(count, -1);  // index among the named units
+  std::int32_t names = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!mission.units[i].name.empty()) named[i] = names++;
   }
   // The nearest named unit above each one.
-  std::vector<std::int32_t> parents(count_units, -1);
-  for (std::size_t i = 0; i < count_units; ++i) {
-    for (const std::uint32_t part : mission.units[i].parts) {
-      if (part < count_units) parents[part] = named[i] >= 0 ? named[i] : parents[i];
-    }
+  std::vector<std::int32_t> parents(count, -1);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::uint32_t part : mission.units[i].parts)
+      parents[part] = named[i] >= 0 ? named[i] : parents[i];
   }
-  for (std::size_t i = 0; i < count_units; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     if (named[i] < 0) continue;
     Roster::Unit& told = *out.add_units();
     told.set_name(clean(mission.units[i].name));

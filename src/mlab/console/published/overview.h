@@ -16,7 +16,6 @@ namespace mlab::console {
 void encode_plan(const mission::Mission& mission, std::uint64_t revision, const PlaceOf& place_of, Plan& out);
 
 /// Robots, named units and robot programs with their ports.
-/// @param count_units  so many units are told; later ones were made up for a single robot
 void encode_roster(const run::MissionRun& run, Roster& out);
 
 /// The named units of a mission alone.

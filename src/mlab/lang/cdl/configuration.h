@@ -71,8 +71,8 @@ Configuration configuration_of(std::shared_ptr<const Tree> tree, const Environme
 
 /// The robot that a mission's NEW-ROBOT means: the one named behind `#`, else the one of the type's name
 /// (letter case aside), else the only one.
-/// @param wanted    empty: none was named
-/// @param type_name of the mission
+/// @param wanted     empty: none was named
+/// @param type_name  of the mission
 /// @errors  `unknown-robot`, `several-robots`, `no-robot` at `place`
 const Robot* robot_meant(const Configuration& configuration, std::string_view wanted,
                          std::string_view type_name, const text::Place& place, text::Diagnostics& sink);

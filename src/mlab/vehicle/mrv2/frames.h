@@ -17,7 +17,7 @@ struct Frame {
 
 inline constexpr std::size_t kLongestPayload = 255;
 
-/// @param payload  at most kLongestPayload bytes; what is beyond is left out
+/// @param frame  of its payload what is beyond kLongestPayload bytes is left out
 std::string bytes_of(const Frame& frame);
 
 /// Finds frames in bytes as they come. Whatever comes, it goes on with the next whole frame; bytes that
