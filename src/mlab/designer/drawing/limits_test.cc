@@ -1,16 +1,16 @@
 // What people and programs do to a designer that nobody thought of while it was drawn.
 
-#include <chrono>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "mlab/base/testing/processor_time.h"
+#include "mlab/designer/testing/browser.h"
 #include "mlab/designer/testing/live_desk.h"
 
 namespace mlab::designer {
@@ -168,19 +168,26 @@ TEST_F(FilesThatAreNot, BytesThatAreNoTextAreShownAndDrawnAsFarAsTheyGo) {
 TEST_F(FilesThatAreNot, AFileDeletedWhileItIsOpenIsWrittenAnewBySaving) {
   write("one.cdl", kSmall);
   ASSERT_TRUE(open("one.cdl").ok());
-  desk_.type("one.cdl", std::string(kSmall) + "// more\n");
-  const fs::path file = desk_.folder().path("project") / "one.cdl";
-  fs::remove(file);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-  Answer answer = save("one.cdl");
-  if (!answer.ok()) {
-    answer = desk_.ask([](ToDesigner& m) {
-      m.mutable_save()->set_document("one.cdl");
-      m.mutable_save()->set_overwrite(true);
-    });
-  }
-  EXPECT_TRUE(answer.ok()) << answer.error();
-  EXPECT_TRUE(fs::is_regular_file(file));
+  const std::string more = std::string(kSmall) + "// more\n";
+  desk_.type("one.cdl", more);
+  fs::remove(desk_.folder().path("project") / "one.cdl");
+  const Answer answer = save("one.cdl");
+  ASSERT_TRUE(answer.ok()) << answer.error();
+  EXPECT_EQ(desk_.folder().read("project/one.cdl"), more);
+}
+
+TEST(FileThatIsGone, IsWrittenAnewBySavingOnceThatIsKnown) {
+  testing::Browser browser;
+  browser.write("one.cdl", kSmall);
+  browser.open("one.cdl");
+  const std::string more = std::string(kSmall) + "// more\n";
+  browser.type("one.cdl", more);
+  fs::remove(browser.project_folder() + "/one.cdl");
+  ASSERT_TRUE(
+      browser.waits_for([&] { return std::ranges::any_of(browser.seen_changes(1), &FileChanged::is_gone); }));
+  const Answer answer = browser.ask([](ToDesigner& m) { m.mutable_save()->set_document("one.cdl"); });
+  ASSERT_TRUE(answer.ok()) << answer.error();
+  EXPECT_EQ(browser.read("one.cdl"), more);
 }
 
 TEST_F(FilesThatAreNot, AFolderInPlaceOfAnOpenFileIsNotWrittenInto) {
