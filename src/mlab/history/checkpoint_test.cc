@@ -17,7 +17,9 @@
 #include "mlab/base/testing/source_folder.h"
 #include "mlab/history/testing/meddler.h"
 #include "mlab/history/testing/written_run.h"
+#include "mlab/robot/program/configuration_file.h"
 #include "mlab/simulated/run.h"
+#include "mlab/text/source.h"
 
 namespace mlab::history {
 namespace {
@@ -317,6 +319,35 @@ TEST(Checkpoint, IsOfProceduresInACell) {
     if (i % 60 == 7) script.save();
   }
   script.check(120);
+}
+
+// After two seconds of robots that tell each other a place as they start, two of which stand side by side.
+std::size_t bytes_of_tellers(double radio_range) {
+  WrittenRun written("out_of_reach/out_of_reach.mdl");
+  run::Crew crew = *written.run().crew();
+  const auto source = std::make_shared<const text::Source>(
+      "teller.cdl", "robot Teller is Scout { movement = SharePlace(place = [12, 5]); }\n");
+  text::Diagnostics sink;
+  const auto made = robot::configure(source, "", "", {}, {}, sink);
+  EXPECT_TRUE(made && !sink.has_errors()) << text::render(sink);
+  for (robot::RobotProgram& program : crew.programs) {
+    program.program = made->built.program;
+    program.initial = program.program->make_frame();
+  }
+  for (binding::BodySpec& body : crew.bodies) body.radio.range = radio_range;
+  const auto run = simulated::make_run(std::make_shared<const run::Crew>(std::move(crew)), {});
+  run->post(event::Execute{});
+  for (int i = 0; i < 20; ++i) run->step();
+  std::size_t heard = 0;
+  for (const fleet::FleetRobot& robot : run->fleet().robots()) heard += robot.places.size();
+  EXPECT_EQ(heard, radio_range > 1.0 ? 5U : 3U) << "each hears itself";
+  const auto checkpoint = run->save();
+  EXPECT_TRUE(checkpoint) << checkpoint.error();
+  return checkpoint->bytes();
+}
+
+TEST(Checkpoint, CountsPlacesThatRobotsHaveHeard) {
+  EXPECT_EQ(bytes_of_tellers(8.0) - bytes_of_tellers(0.1), 2 * sizeof(percept::SharedPlace));
 }
 
 TEST(Checkpoint, IsNotForARunOfAnotherSeed) {

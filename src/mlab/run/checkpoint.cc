@@ -19,7 +19,8 @@ std::size_t bytes_of(const mission::State& state) {
   for (const mission::Run& run : state.runs)
     out += bytes_of(run.needed) + bytes_of(run.left_out) + bytes_of(run.lines) + bytes_of(run.parts);
   for (const mission::CommandRecord& command : state.commands)
-    out += command.text.size() + command.unit.size() + command.place.size() + command.message.size();
+    out += command.text.size() + command.unit.size() + command.task.size() + command.place.size() +
+           command.formation.size() + command.message.size();
   return out;
 }
 
@@ -38,7 +39,8 @@ std::size_t bytes_of(const fleet::FleetCheckpoint& checkpoint) {
   const fleet::FleetState& state = checkpoint.state;
   std::size_t out = bytes_of(state.robots) + bytes_of(state.poses) + bytes_of(state.seen) +
                     bytes_of(state.groups) + state.messages.bytes();
-  for (const fleet::FleetRobot& robot : state.robots) out += bytes_of(robot.notifications);
+  for (const fleet::FleetRobot& robot : state.robots)
+    out += bytes_of(robot.notifications) + bytes_of(robot.places) + bytes_of(robot.passages);
   for (const fleet::SeenByFailsafes& seen : state.seen)
     out += bytes_of(seen.obstacles) + bytes_of(seen.others);
   for (const fleet::Group& group : state.groups) out += bytes_of(group.members);

@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "mlab/base/fields.h"
 #include "mlab/sim/simulator_parts.h"
 #include "mlab/sim/touched.h"
 
 namespace mlab::sim {
 namespace {
 
-using geom::Offset;
 using geom::Point;
 
-/// That the properties of a body take up in all of its arrays.
-constexpr std::size_t kBytesOfBody = 5 * sizeof(double) + sizeof(Offset) + sizeof(binding::Momentum) +
-                                     sizeof(geom::Pose) + sizeof(Touched) + 7 * sizeof(std::uint32_t) +
-                                     sizeof(percept::ObjectClass) + 2 * sizeof(std::uint8_t);
+std::size_t bytes_of(const Bodies& bodies) {
+  std::size_t out = 0;
+  base::for_each_field(bodies, [&](const auto& list) { out += list.size() * sizeof list[0]; });
+  return out;
+}
 
 }  // namespace
 
@@ -132,10 +133,9 @@ std::shared_ptr<const Simulator::State> Simulator::snapshot() const {
 }
 
 std::size_t Simulator::bytes(const State& state) {
-  const std::size_t bodies = state.bodies.count() * kBytesOfBody;
   std::size_t kinds = state.kinds.size() * sizeof(Kind);
   for (const Kind& kind : state.kinds) kinds += kind.beams.count() * sizeof(percept::RangeReading) * 2;
-  return sizeof state + bodies + kinds + state.objects.list().size() * sizeof(Object) +
+  return sizeof state + bytes_of(state.bodies) + kinds + state.objects.list().size() * sizeof(Object) +
          state.site.doors().size() * sizeof(percept::Door);
 }
 
