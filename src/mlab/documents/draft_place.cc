@@ -8,11 +8,13 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <tuple>
 
 #include <fmt/core.h>
 
 #include "mlab/documents/drafts.h"
 #include "mlab/documents/state_folder.h"
+#include "mlab/text/private_folder.h"
 
 namespace mlab::documents {
 
@@ -47,12 +49,11 @@ std::string DraftPlace::place(int number) const {
   return number == 1 ? own_ : fmt::format("{}/beside/{}", own_, number);
 }
 
-// kHeldByAnother, or -1 where nothing can be locked: then nothing can be kept either, which others say.
+// kHeldByAnother, or -1 where nothing can be locked: then nothing can be kept either, which others say. One
+// that can be locked but not kept from others is locked, lest two servers write there.
 int DraftPlace::lock(int number) const {
   const std::string folder = place(number) + '/' + project_;
-  std::error_code cannot;
-  fs::create_directories(folder, cannot);
-  if (!cannot) fs::permissions(folder, fs::perms::owner_all, cannot);
+  std::ignore = text::make_private_folder(folder);
   const int out = ::open((folder + "/drafts.lock").c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600);
   if (out < 0 || ::flock(out, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return out;
   ::close(out);

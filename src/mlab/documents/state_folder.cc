@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/hash.h"
+#include "mlab/text/private_folder.h"
 
 namespace mlab::documents {
 
@@ -50,10 +51,8 @@ StateFolder::StateFolder(const std::string& folder, std::string_view project) {
 std::string StateFolder::make() const {
   std::error_code cannot;
   if (fs::is_directory(folder_, cannot)) return "";
-  fs::create_directories(folder_, cannot);
-  if (cannot) return fmt::format("the folder `{}` can't be made: {}", folder_, cannot.message());
-  fs::permissions(folder_, fs::perms::owner_all, cannot);
-  return "";
+  const auto made = text::make_private_folder(folder_);
+  return made ? "" : made.error();
 }
 
 void StateFolder::remove_leftovers() const {

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "mlab/history/bookmark_file.h"
+#include "mlab/text/private_folder.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::history {
@@ -68,16 +69,13 @@ void Shelf::make_room() const {
 
 std::expected<std::string, std::string> Shelf::place_for(const std::string& mission, double now) const {
   if (folder_.empty()) return std::unexpected("there is no folder to keep runs in");
-  std::error_code failure;
-  fs::create_directories(folder_, failure);
-  if (failure)
-    return std::unexpected(fmt::format("`{}` can't be made: {}", text::shown(folder_), failure.message()));
-  fs::permissions(folder_, fs::perms::owner_all, failure);
+  if (const auto made = text::make_private_folder(folder_); !made) return std::unexpected(made.error());
   make_room();
   const std::string stem =
       fmt::format("{:%Y-%m-%d %H.%M.%S} {}", fmt::gmtime(static_cast<std::time_t>(now)), plain_name(mission));
   std::string path = (fs::path(folder_) / (stem + kExtension)).string();
-  for (int n = 2; fs::exists(path, failure); ++n)
+  std::error_code none;
+  for (int n = 2; fs::exists(path, none); ++n)
     path = (fs::path(folder_) / fmt::format("{} {}{}", stem, n, kExtension)).string();
   return path;
 }

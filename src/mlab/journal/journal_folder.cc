@@ -12,6 +12,7 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
+#include "mlab/text/private_folder.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::journal {
@@ -27,15 +28,12 @@ constexpr std::array<const char*, 4> kParts = {"-shm", "-journal", "-wal", ""};
 
 std::expected<std::string, std::string> JournalFolder::place(double now) const {
   if (folder_.empty()) return std::unexpected("there is no folder to keep it in");
-  std::error_code failure;
-  fs::create_directories(folder_, failure);
-  if (failure)
-    return std::unexpected(fmt::format("`{}` can't be made: {}", text::shown(folder_), failure.message()));
-  fs::permissions(folder_, fs::perms::owner_all, failure);
+  if (const auto made = text::make_private_folder(folder_); !made) return std::unexpected(made.error());
   const std::string stem =
       fmt::format("{:%Y-%m-%d %H.%M.%S} {}", fmt::gmtime(static_cast<std::time_t>(now)), ::getpid());
   std::string path = (fs::path(folder_) / (stem + kExtension)).string();
-  for (int n = 2; fs::exists(path, failure); ++n)
+  std::error_code none;
+  for (int n = 2; fs::exists(path, none); ++n)
     path = (fs::path(folder_) / fmt::format("{} {}{}", stem, n, kExtension)).string();
   return path;
 }

@@ -9,6 +9,7 @@
 #include "mlab/keys/documents.h"
 #include "mlab/keys/identity.h"
 #include "mlab/keys/private_files.h"
+#include "mlab/text/private_folder.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::keys {
@@ -77,12 +78,12 @@ std::expected<FleetKeys, std::string> FleetKeys::open(const fs::path& folder, co
     return std::unexpected(fmt::format(
         "`{}` holds an identity that was made on another machine: the fleet's keys are there, and not here",
         text::shown((folder / kOwnIdentity).string(), 1000)));
-  if (const auto made = make_private_folder(folder); !made) return std::unexpected(made.error());
+  if (const auto made = text::make_private_folder(folder); !made) return std::unexpected(made.error());
   auto lock = FolderLock::of(folder);
   if (!lock) return std::unexpected(std::move(lock.error()));
   FleetKeys out(folder, fleet, std::move(*lock));
   for (const fs::path& one : {out.authority(), out.authority() / "issued", out.authority() / "withdrawn"}) {
-    if (const auto made = make_private_folder(one); !made) return std::unexpected(made.error());
+    if (const auto made = text::make_private_folder(one); !made) return std::unexpected(made.error());
   }
   const auto known = are_there(folder) ? out.read_authority() : out.make_authority();
   if (!known) return std::unexpected(known.error());
@@ -142,7 +143,7 @@ std::expected<fs::path, std::string> FleetKeys::add(const std::string& name) {
   if (!document) return std::unexpected(document.error());
   if (!list) return std::unexpected(list.error());
   fs::path folder = folder_ / name;
-  if (const auto made = make_private_folder(folder); !made) return std::unexpected(made.error());
+  if (const auto made = text::make_private_folder(folder); !made) return std::unexpected(made.error());
   const std::vector<std::pair<fs::path, const std::string*>> files = {
       {issued(name), &pair->certificate},  // first: what was handed out can be withdrawn
       {folder / kAuthorityFile, &authority_.certificate},

@@ -43,14 +43,6 @@ bool write_all(int file, const std::string& text) {
 
 }  // namespace
 
-std::expected<void, std::string> make_private_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
-  if (!failure) return {};
-  return std::unexpected(fmt::format("the folder `{}` can't be made: {}", shown(folder), failure.message()));
-}
-
 std::expected<void, std::string> write_private(const fs::path& file, const std::string& text) {
   const std::string fresh = file.string() + ".new";
   ::unlink(fresh.c_str());  // of somebody who was killed

@@ -9,10 +9,6 @@
 // Files that nobody but their owner may read.
 namespace mlab::keys {
 
-/// Makes the folder and those above it that are missing; the folder itself gets mode 0700.
-/// @errors  a sentence with the path
-std::expected<void, std::string> make_private_folder(const std::filesystem::path& folder);
-
 /// Writes the whole file, mode 0600, or leaves what was there: the text goes to a new file beside it, which
 /// then takes its name.
 /// @errors  a sentence with the path

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,6 +15,7 @@
 #include <fmt/core.h>
 
 #include "mlab/base/hash.h"
+#include "mlab/text/private_folder.h"
 #include "mlab/text/shown.h"
 
 namespace mlab::preflight {
@@ -42,6 +44,15 @@ std::vector<fs::path> files_in(const std::string& folder) {
   return out;
 }
 
+// @return  why not; none: it is written
+std::error_code write(const fs::path& path, const std::string& text) {
+  errno = 0;  // the stream does not say why, but what it called does
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (file.flush()) return {};
+  return {errno != 0 ? errno : EIO, std::generic_category()};
+}
+
 std::optional<SignedChecklist> read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -52,23 +63,20 @@ std::optional<SignedChecklist> read(const fs::path& path) {
 
 std::string Store::keep(const SignedChecklist& checklist) const {
   if (folder_.empty()) return "neither XDG_STATE_HOME nor HOME names a folder to keep it in";
-  std::error_code cannot;
-  fs::create_directories(folder_, cannot);
-  if (cannot) return fmt::format("the folder `{}` can't be made: {}", folder_, cannot.message());
-  fs::permissions(folder_, fs::perms::owner_all, cannot);
+  if (const auto made = text::make_private_folder(folder_); !made) return made.error();
   for (const fs::path& one : files_in(folder_)) {
     const auto old = read(one);
-    if (old && checklist.signature.at - old->signature.at > kKeptFor) fs::remove(one, cannot);
+    std::error_code kept;
+    if (old && checklist.signature.at - old->signature.at > kKeptFor) fs::remove(one, kept);
   }
   const fs::path path = fs::path(folder_) / name_of(checklist.checklist);
   const fs::path part = path.string() + fmt::format(".{}.part", ::getpid());
-  {
-    std::ofstream file(part, std::ios::binary);
-    file << json_of(checklist);
-    if (!file.flush()) return fmt::format("`{}` can't be written", part.string());
-  }
-  fs::rename(part, path, cannot);
-  return cannot ? fmt::format("`{}` can't be written: {}", path.string(), cannot.message()) : "";
+  std::error_code failure = write(part, json_of(checklist));
+  if (!failure) fs::rename(part, path, failure);
+  if (!failure) return "";
+  std::error_code left;
+  fs::remove(part, left);
+  return fmt::format("`{}` can't be written: {}", path.string(), failure.message());
 }
 
 std::expected<SignedChecklist, std::string> Store::find(const Checklist& now, double at) const {

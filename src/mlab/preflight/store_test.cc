@@ -1,7 +1,11 @@
 #include "mlab/preflight/store.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -85,6 +89,24 @@ TEST_F(Stored, WhatHoldsNoLongerGoesADayLater) {
   EXPECT_EQ(files().size(), 2U);
   ASSERT_EQ(store().keep({checklist(), signature(100'000.0)}), "");
   EXPECT_EQ(files().size(), 1U);
+}
+
+TEST_F(Stored, NothingIsLeftOfWhatCanNotBeWritten) {
+  const SignedChecklist one = {checklist(), signature(100.0)};
+  ASSERT_EQ(store().keep(one), "");
+  const fs::path file = files().front();
+  // A disk without room.
+  fs::create_symlink("/dev/full", file.string() + "." + std::to_string(::getpid()) + ".part");
+  const std::string full = store().keep({checklist(), signature(150.0)});
+  EXPECT_TRUE(full.ends_with("can't be written: No space left on device")) << full;
+  EXPECT_EQ(files(), std::vector<fs::path>{file});
+  EXPECT_EQ(*store().find(checklist(), 200.0), one) << "what was signed before is still there";
+  // A folder of its name.
+  fs::remove(file);
+  fs::create_directories(file / "inside");
+  const std::string taken = store().keep(one);
+  EXPECT_TRUE(taken.ends_with("can't be written: Is a directory")) << taken;
+  EXPECT_EQ(files(), std::vector<fs::path>{file});
 }
 
 TEST(Store, SaysWhereNothingCanBeKept) {
