@@ -38,7 +38,8 @@ std::vector<fs::path> files_in(const std::string& folder) {
   std::error_code cannot;
   for (fs::directory_iterator at(folder, cannot), end; !cannot && at != end && out.size() < kMostFiles;
        at.increment(cannot)) {
-    if (at->path().extension() == kEnding) out.push_back(at->path());
+    std::error_code gone;
+    if (at->path().extension() == kEnding && at->is_regular_file(gone)) out.push_back(at->path());
   }
   std::ranges::sort(out);
   return out;
