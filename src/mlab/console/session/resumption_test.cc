@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -27,6 +29,24 @@ class ResumptionTest : public testing::JournalledTest {
   static bool is_back(Browser& anna) {
     return anna.wait([&] { return anna.status().mode() == Status::PAUSED; }) &&
            anna.wait([&] { return anna.has_log("the run goes on as it stood at"); });
+  }
+  // Replaces the first `from` of the mission's text.
+  static std::string replace(Browser& anna, const std::string& from, const std::string& to) {
+    if (!anna.wait([&] { return anna.documents().documents_size() > 0; })) return "no document";
+    const Documents::Document& document = anna.documents().documents(0);
+    const std::size_t at = document.text().find(from);
+    if (at == std::string::npos) return "not in the text";
+    ToServer message;
+    EditText& edit = *message.mutable_edit_text();
+    edit.set_document(document.path());
+    edit.set_revision(document.revision());
+    edit.set_begin(static_cast<std::uint32_t>(at));
+    edit.set_end(static_cast<std::uint32_t>(at + from.size()));
+    edit.set_text(to);
+    const std::uint64_t revision = document.revision();
+    const std::string error = Browser::error_of(anna.ask(message));
+    anna.wait([&] { return anna.documents().documents(0).revision() > revision; }, 10.0);
+    return error;
   }
 };
 
@@ -74,6 +94,38 @@ TEST_F(ResumptionTest, BringsBackTheRunWithAllThatPeopleDid) {
   time = anna.status().time();
   EXPECT_EQ(anna.control(Control::RESUME), "");
   EXPECT_TRUE(anna.wait([&] { return anna.status().time() > time + 2.0; }));
+}
+
+TEST_F(ResumptionTest, GoesOnWithTheLastTextWithoutErrors) {
+  const auto keep_drafts = [&](SessionSettings& s) { s.state_folder = project_.path("state").string(); };
+  {
+    TestSession session("", 20.0, [&](SessionSettings& s) {
+      begin(s);
+      keep_drafts(s);
+    });
+    Browser anna(session, "Anna");
+    start(anna);
+    ASSERT_EQ(
+        replace(anna, "1. UNIT pair MOVETO PP-Far\n", "1. UNIT pair MOVETO PP-Far\n2. UNIT pair STOP\n"), "");
+    ASSERT_TRUE(anna.wait([&] { return anna.plan().steps_size() == 3; }));
+    ASSERT_EQ(replace(anna, "PP-Far", "PP-Nowhere"), "");
+    ASSERT_TRUE(anna.wait([&] { return anna.documents().runs_older_text(); }));
+  }
+  TestSession session("", 1.0, [&](SessionSettings& s) {
+    resume(s);
+    keep_drafts(s);
+  });
+  Browser anna(session, "Anna");
+  ASSERT_TRUE(is_back(anna));
+  EXPECT_TRUE(anna.wait([&] { return anna.documents().runs_older_text(); }));
+  anna.watch_for(0.5);
+  EXPECT_FALSE(anna.has_log("the mission was changed meanwhile"));
+  EXPECT_EQ(anna.plan().steps_size(), 3) << "not what is on the disk";
+  ASSERT_EQ(replace(anna, "PP-Nowhere\n2. UNIT pair STOP\n",
+                    "PP-Far\n2. UNIT pair STOP\n3. UNIT pair MOVETO PP-Far\n"),
+            "");
+  EXPECT_TRUE(anna.wait([&] { return anna.plan().steps_size() == 4; })) << "what is mended is followed";
+  EXPECT_FALSE(anna.documents().runs_older_text());
 }
 
 TEST_F(ResumptionTest, KnowsWhichRobotsWereLost) {

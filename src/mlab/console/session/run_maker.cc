@@ -282,7 +282,8 @@ void RunMaker::finish_resumption(ResumedRun resumed, const std::shared_ptr<const
 }
 
 void RunMaker::follow_changes_since() {
-  if (!from_documents_) return;
+  // Of a text with errors what runs is the last one without: that is what the run was left with.
+  if (!from_documents_ || documents_.runs_older_text()) return;
   const auto texts_of = [](const mission::Mission& mission) {
     std::vector<std::string_view> out = {mission.source->text()};
     for (const text::SourcePtr& one : mission.texts) out.push_back(one->text());
