@@ -11,6 +11,7 @@
 
 #include "mlab/cli/files.h"
 #include "mlab/cli/places.h"
+#include "mlab/documents/drafts.h"
 #include "mlab/documents/project_folder.h"
 #include "mlab/documents/state_folder.h"
 #include "mlab/text/shown.h"
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kJournals = "journals";
 constexpr std::string_view kExamples = "examples:";
+constexpr std::string_view kOutside = "outside:";
 
 bool is_below(const std::string& path, const std::string& folder) {
   const fs::path whole(path);
@@ -67,9 +69,16 @@ std::string mission_file(const journal::Unfinished& run) {
   const std::string& mission = run.stand.session.mission();
   const fs::path path = mission.starts_with(kExamples)
                             ? fs::path(example_folder()) / mission.substr(kExamples.size())
-                            : fs::path(run.stand.session.project()) / mission;
+                        : mission.starts_with(kOutside) ? fs::path(mission.substr(kOutside.size()))
+                                                        : fs::path(run.stand.session.project()) / mission;
   std::error_code none;
   return fs::is_regular_file(path, none) ? path.string() : "";
+}
+
+bool is_mission_gone(const journal::Unfinished& run) {
+  const wire::JournalSession& session = run.stand.session;
+  return mission_file(run).empty() &&
+         !documents::Drafts(state_folder(), session.project()).find(session.mission());
 }
 
 std::expected<journal::Unfinished, std::string> find_resumable(const RunOptions& options) {

@@ -18,5 +18,7 @@ std::string journal_folder(const std::string& project);
 std::expected<journal::Unfinished, std::string> find_resumable(const RunOptions& options);
 /// The file of its mission on this machine; empty: there is none any more.
 std::string mission_file(const journal::Unfinished& run);
+/// Neither is the file of its mission there, nor what was not saved of it.
+bool is_mission_gone(const journal::Unfinished& run);
 
 }  // namespace mlab::cli

@@ -78,15 +78,17 @@ function Unfinished() {
               <Icon name="play" />
               <span className="grow">
                 <span className="start-title">
-                  {run.whyNot === "" ? "Continue" : "Bring back"} ‘{nameOf(run.mission).replace(/\.mdl$/, "")}’, stopped
-                  at {duration(run.time)}
+                  {run.whyNot === "" || run.missionIsGone ? "Continue" : "Bring back"} ‘
+                  {nameOf(run.mission).replace(/\.mdl$/, "")}’, stopped at {duration(run.time)}
                 </span>
                 <span className="small muted ellipsis">
                   {shownPath(run.mission)}, left {new Date(run.leftAt * 1000).toLocaleString()}
                 </span>
                 {run.whyNot !== "" && (
                   <span className="small muted start-why">
-                    The run does not go on: {readableMessage(run.whyNot)}. Mission, log and people come back.
+                    {run.missionIsGone
+                      ? `The run can’t go on, because ${readableMessage(run.whyNot)}.`
+                      : `The run does not go on: ${readableMessage(run.whyNot)}. Mission, log and people come back.`}
                   </span>
                 )}
               </span>

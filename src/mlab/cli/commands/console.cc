@@ -472,7 +472,11 @@ int resume_run(RunOptions options) {
   options.mission = mission_file(*found);
   const std::string mission = text::shown(found->stand.session.mission());
   const double time = found->stand.progress.time();
-  if (const std::string& why = found->stand.session.why_not_gone_on(); why.empty())
+  if (is_mission_gone(*found))
+    fmt::print(
+        "The run that stopped at {:.1f} s can't go on, because `{}` is not there. It is kept until it can.\n",
+        time, mission);
+  else if (const std::string& why = found->stand.session.why_not_gone_on(); why.empty())
     fmt::print("{} goes on as it stood at {:.1f} s, paused.\n", mission, time);
   else
     fmt::print(

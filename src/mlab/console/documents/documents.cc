@@ -145,6 +145,12 @@ text::Result<bool> OpenDocuments::open_on_disk(const std::string& disk_path, dou
   return open(*project_.name_of(path), now);
 }
 
+bool OpenDocuments::is_there(const std::string& path) const {
+  constexpr std::string_view kOutside = "outside:";  // may be allowed only when it is opened
+  if (path.starts_with(kOutside) && text::files_on_disk().is_file(path.substr(kOutside.size()))) return true;
+  return project_.is_file(path) || store_.drafts().find(path).has_value();
+}
+
 void OpenDocuments::add_trial(const std::string& path, const std::string& text) {
   OpenDocument& out = add(path, text);
   out.is_writable = false;

@@ -61,6 +61,8 @@ class OpenDocuments {
   /// The mission that is open is one.
   bool is_trial() const { return is_open() && mission_file_->is_detached; }
   bool is_open() const { return mission_file_ != nullptr; }
+  /// There is a text of that name to be opened: a file, or what is kept of one.
+  bool is_there(const std::string& path) const;
 
   /// A file that is not on disk yet. A MISSION is opened in place of what was open, with an empty overlay
   /// beside it; an OVERLAY comes to the mission that is open, which then names it.

@@ -219,7 +219,9 @@ void Chronicle::look() {
     told.set_mission(text::shown(one.stand.session.mission()));
     told.set_time(one.stand.progress.time());
     told.set_left_at(one.stand.progress.written_at());
-    told.set_why_not(text::shown(one.stand.session.why_not_gone_on(), 400));
+    told.set_mission_is_gone(!documents_.is_there(one.stand.session.mission()));
+    told.set_why_not(told.mission_is_gone() ? fmt::format("`{}` is not there", told.mission())
+                                            : text::shown(one.stand.session.why_not_gone_on(), 400));
   }
 }
 

@@ -183,6 +183,28 @@ TEST_F(ResumptionTest, IsOfferedToWhoComesWithoutAMission) {
   EXPECT_TRUE(bert.wait([&] { return bert.journal().unfinished_size() == 0; }));
 }
 
+TEST_F(ResumptionTest, SaysThatTheMissionIsGone) {
+  {
+    TestSession session("", 20.0, [&](SessionSettings& s) { begin(s); });
+    Browser anna(session, "Anna");
+    start(anna);
+  }
+  const fs::path mission = project_.path("project/far.mdl");
+  const fs::path elsewhere = project_.path("elsewhere/far.mdl");
+  fs::rename(mission, elsewhere);
+  TestSession session("", 20.0, [&](SessionSettings& s) { resume(s); });
+  Browser anna(session, "Anna");
+  EXPECT_TRUE(anna.wait([&] { return anna.has_log("the run can't be gone on with: "); }));
+  ASSERT_TRUE(anna.wait([&] { return anna.journal().unfinished_size() == 1; })) << "it is kept";
+  EXPECT_EQ(anna.journal().unfinished(0).why_not(), "`far.mdl` is not there");
+  EXPECT_TRUE(anna.journal().unfinished(0).mission_is_gone());
+  fs::rename(elsewhere, mission);
+  ToServer wanted;
+  wanted.mutable_continue_run()->set_name(anna.journal().unfinished(0).name());
+  EXPECT_EQ(Browser::error_of(anna.ask(wanted)), "");
+  EXPECT_TRUE(is_back(anna));
+}
+
 TEST_F(ResumptionTest, KeepsNothingOfARunThatIsBegunAnew) {
   TestSession session("", 20.0, [&](SessionSettings& s) { begin(s); });
   Browser anna(session, "Anna");
