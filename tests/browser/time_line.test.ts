@@ -91,6 +91,14 @@ test("the same moment looks the same each time, by steps of cycles, by its time 
   await page.getByRole("alert").filter({ hasText: "“soon” is no time" }).waitFor();
   await field.press("Escape");
   expect(await moment(console)).toBeCloseTo(8, 1);
+
+  await field.fill("1:75");
+  await field.press("Enter");
+  const refused = page.getByRole("alert").filter({ hasText: "“1:75” is no time" });
+  await refused.waitFor();
+  await slider(console).focus();
+  await refused.waitFor({ state: "detached" });
+  expect(await moment(console)).toBeCloseTo(8, 1);
 });
 
 test("scrubbing shows moments on the way, and ends where it was let go", async () => {

@@ -364,7 +364,11 @@ function TimeField({ time, isDisabled, onGo }: { time: number; isDisabled: boole
         committed={shown}
         isDisabled={isDisabled}
         onFocus={() => setHeld(shown)}
-        onBlur={() => setHeld(null)}
+        onBlur={() => {
+          setHeld(null);
+          setTyped(null); // what is no time does not stay in the place of the one that is shown
+          setProblem(undefined);
+        }}
         onChange={(text) => {
           setTyped(text === shown ? null : text);
           setProblem(undefined);
