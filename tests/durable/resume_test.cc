@@ -121,6 +121,14 @@ bool is_paused(const Operator& anna) {
   return anna.status().mode() == Status::PAUSED;
 }
 
+// The mission that is open, for a second.
+void start(const Server& server) {
+  Operator anna(server);
+  ASSERT_TRUE(anna.wait([&] { return anna.status().mode() == Status::READY; }));
+  ASSERT_TRUE(anna.control(Control::EXECUTE));
+  ASSERT_TRUE(anna.wait([&] { return anna.status().time() > 1.0; }));
+}
+
 // All of a report that does not depend on when and how fast it ran, or on people who looked on.
 std::string outcome_of(const fs::path& report) {
   std::string text = text_of(report);
@@ -231,6 +239,18 @@ TEST_F(Resumed, ThereIsNothingToGoOnWithWhereNothingWasStarted) {
   Server server(resume());
   EXPECT_EQ(server.port(), 0);
   EXPECT_TRUE(server.prints("that did not end")) << server.printed();
+}
+
+TEST_F(Resumed, ARunThatAnotherConsoleHasIsSaidToBeHeld) {
+  Server server(setup({"far.mdl"}));
+  ASSERT_NE(server.port(), 0) << server.printed();
+  start(server);
+  for (const Server::Setup& words : {resume(), setup({"--resume", "far.mdl"})}) {
+    Server beside(words);
+    EXPECT_EQ(beside.port(), 0);
+    EXPECT_TRUE(beside.prints("that did not end, but another process has one of this project"))
+        << beside.printed();
+  }
 }
 
 TEST_F(Resumed, PeopleSpeedAndBreakpointsAreAsTheyWereAndAnEditIsFollowed) {

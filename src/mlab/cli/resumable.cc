@@ -31,10 +31,10 @@ bool is_below(const std::string& path, const std::string& folder) {
   return std::ranges::mismatch(root, whole).in1 == root.end();
 }
 
-std::vector<journal::Unfinished> look(const std::string& folder) {
+journal::JournalFolder::Found look(const std::string& folder) {
   journal::JournalFolder::Found found = journal::JournalFolder(folder).look();
   for (const std::string& sentence : found.set_aside) fmt::print(stderr, "mlab run: warning: {}\n", sentence);
-  return std::move(found.runs);
+  return found;
 }
 
 // Of all projects that anything is kept of.
@@ -45,16 +45,25 @@ std::vector<journal::Unfinished> look_everywhere() {
        each.increment(failure)) {
     std::error_code none;
     const fs::path folder = each->path() / kJournals;
-    if (fs::is_directory(folder, none)) std::ranges::move(look(folder.string()), std::back_inserter(out));
+    if (fs::is_directory(folder, none))
+      std::ranges::move(look(folder.string()).runs, std::back_inserter(out));
   }
   return out;
 }
 
+// Of which mission those are that other processes have is not known here.
+std::string told_of_held(std::size_t held) {
+  if (held == 0) return "";
+  return held == 1 ? ", but another process has one of this project"
+                   : fmt::format(", but other processes have {} of this project", held);
+}
+
 std::expected<journal::Unfinished, std::string> newest(std::vector<journal::Unfinished> runs,
-                                                       const std::string& what) {
+                                                       const std::string& what, std::size_t held) {
   const auto last = std::ranges::max_element(
       runs, {}, [](const journal::Unfinished& run) { return run.stand.progress.written_at(); });
-  if (last == runs.end()) return std::unexpected(fmt::format("there is no run of {} that did not end", what));
+  if (last == runs.end())
+    return std::unexpected(fmt::format("there is no run of {} that did not end{}", what, told_of_held(held)));
   return std::move(*last);
 }
 
@@ -86,13 +95,13 @@ std::expected<journal::Unfinished, std::string> find_resumable(const RunOptions&
                             : options.mission.empty() ? "."
                                                       : fs::absolute(options.mission).parent_path().string();
   const std::string project = documents::ProjectFolder({first, ""}).folder();
-  std::vector<journal::Unfinished> runs = look(journal_folder(project));
+  auto [runs, set_aside, held] = look(journal_folder(project));
   if (!options.mission.empty()) {
     std::erase_if(runs, [&](const journal::Unfinished& run) {
       std::error_code differs;
       return !fs::equivalent(mission_file(run), options.mission, differs);
     });
-    return newest(std::move(runs), fmt::format("`{}`", text::shown(options.mission)));
+    return newest(std::move(runs), fmt::format("`{}`", text::shown(options.mission)), held);
   }
   if (runs.empty() && options.project.empty()) {
     runs = look_everywhere();
@@ -100,7 +109,7 @@ std::expected<journal::Unfinished, std::string> find_resumable(const RunOptions&
       return !is_below(run.stand.session.project(), project);
     });
   }
-  return newest(std::move(runs), fmt::format("the project {}, or of one below it,", project));
+  return newest(std::move(runs), fmt::format("the project {}, or of one below it,", project), held);
 }
 
 }  // namespace mlab::cli

@@ -63,6 +63,8 @@ JournalFolder::Found JournalFolder::look() const {
       remove(path);
     } else if (stand.error().kind == Kind::kForeign) {
       out.set_aside.push_back(set_aside(path, stand.error().why));
+    } else if (stand.error().kind == Kind::kHeld) {
+      ++out.held;
     }
   }
   std::ranges::stable_sort(out.runs, std::ranges::greater{},

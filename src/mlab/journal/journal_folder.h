@@ -34,9 +34,10 @@ class JournalFolder {
   struct Found {
     std::vector<Unfinished> runs;        ///< the one that was written last first
     std::vector<std::string> set_aside;  ///< sentences: files that are no journals, and where they are now
+    std::size_t held = 0;                ///< how many other processes have
   };
-  /// Looks at all that are there. What other processes have open is left alone; what can't be read gets
-  /// another name and is never removed.
+  /// Looks at all that are there. What other processes have open is left alone and counted; what can't be
+  /// read gets another name and is never removed.
   Found look() const;
 
   /// Gives a file that can't be read another name. @return  a sentence that says so

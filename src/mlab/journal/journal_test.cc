@@ -140,7 +140,8 @@ TEST_F(JournalTest, IsHeldByOneProcess) {
   const pid_t child = ::fork();
   if (child == 0) {
     const auto stand = read_stand(path("run.journal"));
-    const bool is_left = JournalFolder(folder_.string()).look().runs.empty();
+    const JournalFolder::Found found = JournalFolder(folder_.string()).look();
+    const bool is_left = found.runs.empty() && found.held == 1;
     ::_exit(!stand && stand.error().kind == Unreadable::Kind::kHeld && is_left ? 0 : 1);
   }
   int status = 1;
