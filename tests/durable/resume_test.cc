@@ -253,6 +253,34 @@ TEST_F(Resumed, ARunThatAnotherConsoleHasIsSaidToBeHeld) {
   }
 }
 
+TEST_F(Resumed, ARunWhoseMissionIsGoneIsNotSaidToGoOn) {
+  {
+    Server server(setup({"far.mdl"}));
+    ASSERT_NE(server.port(), 0) << server.printed();
+    start(server);
+    server.kill();
+  }
+  fs::rename(folder_ / "project" / "far.mdl", folder_ / "far.mdl");
+  {
+    Server server(resume());
+    ASSERT_NE(server.port(), 0) << server.printed();
+    EXPECT_TRUE(server.prints("can't go on, because `far.mdl` is not there")) << server.printed();
+    EXPECT_TRUE(server.prints("without a mission")) << server.printed();
+    EXPECT_EQ(server.printed().find("goes on as it stood"), std::string::npos) << server.printed();
+    Operator anna(server);
+    ASSERT_TRUE(anna.wait([&] { return anna.journal().unfinished_size() == 1; }));
+    EXPECT_EQ(anna.journal().unfinished(0).why_not(), "`far.mdl` is not there");
+    EXPECT_EQ(server.end(), 0) << server.printed();
+  }
+  fs::rename(folder_ / "far.mdl", folder_ / "project" / "far.mdl");
+  Server server(resume());
+  ASSERT_NE(server.port(), 0) << server.printed();
+  EXPECT_TRUE(server.prints("far.mdl goes on as it stood at about ")) << server.printed();
+  EXPECT_TRUE(server.prints("Nothing moves before Resume")) << server.printed();
+  Operator anna(server);
+  EXPECT_TRUE(anna.wait([&] { return is_paused(anna); }));
+}
+
 TEST_F(Resumed, PeopleSpeedAndBreakpointsAreAsTheyWereAndAnEditIsFollowed) {
   {
     Server server(setup({"far.mdl", "--speed", "20"}));

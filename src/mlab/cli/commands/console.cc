@@ -221,14 +221,16 @@ void show_start(const console::Server& server, const RunOptions& options, const 
                options.edits ? " on the drawing of " + options.configuration : "");
   else if (options.edits)
     fmt::print("The designer{}.\n", options.configuration.empty() ? "" : " for " + options.configuration);
+  else if (options.mission.empty() && options.resume)  // the mission has no file
+    fmt::print("The operator console. Nothing moves before Resume.\n");
   else if (options.mission.empty())
     fmt::print("The operator console, without a mission: open one or write one there.\n");
   else if (!look.mission)
     fmt::print("The operator console; {} has errors, and can be mended there.\n", options.mission);
   else
-    fmt::print("The operator console for {}: {}, {}. Nothing moves before Execute.\n", options.mission,
+    fmt::print("The operator console for {}: {}, {}. Nothing moves before {}.\n", options.mission,
                base::counted(look.mission->robots.size(), "robot"),
-               base::counted(look.mission->steps.size(), "step"));
+               base::counted(look.mission->steps.size(), "step"), options.resume ? "Resume" : "Execute");
   fmt::print("{} in a browser:\n\n", was_opened ? "It opens" : "Open this address");
   for (const std::string& url : urls) fmt::print("    {}\n", url);
   fmt::print("\nCtrl-C here ends {}; what is not saved is {}.\n",
@@ -471,13 +473,16 @@ int resume_run(RunOptions options) {
   options.project = found->stand.session.project();
   options.mission = mission_file(*found);
   const std::string mission = text::shown(found->stand.session.mission());
-  const double time = found->stand.progress.time();
-  if (is_mission_gone(*found))
+  const double time = found->stand.progress.time();  // the recording may know of a moment more
+  const std::string& why = found->stand.session.why_not_gone_on();
+  const bool is_gone = is_mission_gone(*found);
+  options.resume = why.empty() && !is_gone;
+  if (is_gone)
     fmt::print(
         "The run that stopped at {:.1f} s can't go on, because `{}` is not there. It is kept until it can.\n",
         time, mission);
-  else if (const std::string& why = found->stand.session.why_not_gone_on(); why.empty())
-    fmt::print("{} goes on as it stood at {:.1f} s, paused.\n", mission, time);
+  else if (why.empty())
+    fmt::print("{} goes on as it stood at about {:.0f} s, paused.\n", mission, time);
   else
     fmt::print(
         "{} stopped at {:.1f} s, and that run does not go on: {}. Mission, log and people come back, for a "

@@ -120,6 +120,11 @@ TEST_F(ResumptionTest, GoesOnWithTheLastTextWithoutErrors) {
   EXPECT_TRUE(anna.wait([&] { return anna.documents().runs_older_text(); }));
   anna.watch_for(0.5);
   EXPECT_FALSE(anna.has_log("the mission was changed meanwhile"));
+  const auto restored = std::ranges::find_if(anna.log(), [](const Log::Entry& entry) {
+    return entry.text().find("restored the unsaved text of far.mdl") != std::string::npos;
+  });
+  ASSERT_NE(restored, anna.log().end());
+  EXPECT_GT(restored->time(), 3.0) << "it stands where the run does";
   EXPECT_EQ(anna.plan().steps_size(), 3) << "not what is on the disk";
   ASSERT_EQ(replace(anna, "PP-Nowhere\n2. UNIT pair STOP\n",
                     "PP-Far\n2. UNIT pair STOP\n3. UNIT pair MOVETO PP-Far\n"),

@@ -228,7 +228,6 @@ void RunMaker::adopt(const CrewPtr& crew, std::unique_ptr<run::MissionRun> run,
 void RunMaker::resume(const std::shared_ptr<const journal::Kept>& kept, std::function<void()> done) {
   const std::uint64_t number = ++number_;
   answer_trial("another run has taken its place", {});
-  take_notices();
   parameters_.recall(kept->history->inputs());
   seed_ = kept->history->beginning().seed();
   from_documents_ = plain_ = documents_.mission();
@@ -256,6 +255,7 @@ void RunMaker::finish_resumption(ResumedRun resumed, const std::shared_ptr<const
                                  std::shared_ptr<RunJournal> journal, std::shared_ptr<HistoryEntries> entries,
                                  const std::function<void()>& done) {
   if (!resumed.live) {
+    take_notices();
     load(seed_);
     done();
     log_.add(0.0,
@@ -274,6 +274,7 @@ void RunMaker::finish_resumption(ResumedRun resumed, const std::shared_ptr<const
   chronicle_.go_on(std::move(journal), run, kept, std::move(entries));
   const double time = run.time();
   run_.adopt(std::move(resumed.live));
+  take_notices();  // which are of the moment at which it stands
   log_.add(time,
            {Log::MESSAGE, fmt::format("the run goes on as it stood at {:.1f} s", time), 0, "", {}, false});
   done();  // what it brings back is written before the journal that it came from goes
