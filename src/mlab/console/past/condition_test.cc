@@ -60,6 +60,18 @@ TEST(Condition, SaysWhatCanNeverBeTrue) {
             "no program of this run has such a transition of `nothing`");
 }
 
+TEST(Condition, SaysThatNoProgramHasTheState) {
+  WrittenRun written("forage/forage.mdl");
+  const auto why = [&](const std::string& text) {
+    return Condition::parse(text)->why_never(written.run()).value_or("");
+  };
+  EXPECT_EQ(why("any robot in state Acquiring"), "");
+  EXPECT_EQ(why("robot 1 in state Acquiring"), "");
+  EXPECT_EQ(why("any robot in state Acquire"), "no program of this run has a state `Acquire`");
+  EXPECT_EQ(why("robot 1 in state Acquire"), "the program of robot 1 has no state `Acquire`");
+  EXPECT_EQ(why("robot 99 in state Acquiring"), "there is no robot 99");
+}
+
 TEST(Condition, IsMetWhenItBecomesTrueAndNotWhileItIs) {
   WrittenRun written("demo_c/demo_c.mdl", 1, true);
   written.run().post(mission::event::Execute{});

@@ -213,7 +213,8 @@ TEST(Breakpoints, SayWhyTheyCantHappen) {
   EXPECT_FALSE(anna.set(Debugger::condition("movement", Breakpoint::Condition::LESS, "fast")).ok());
   ASSERT_TRUE(anna.set(Debugger::condition("nothing.here", Breakpoint::Condition::LESS, "1")).ok());
   ASSERT_TRUE(anna.set(Debugger::transition("Searching", "Flying")).ok());
-  ASSERT_TRUE(anna.browser().wait([&] { return anna.browser().breakpoints().breakpoints_size() == 2; }));
+  ASSERT_TRUE(anna.set(Debugger::sentence("any robot in state Flying")).ok());
+  ASSERT_TRUE(anna.browser().wait([&] { return anna.browser().breakpoints().breakpoints_size() == 3; }));
   for (const Breakpoint& one : anna.browser().breakpoints().breakpoints()) EXPECT_NE(one.error(), "");
 }
 

@@ -120,6 +120,29 @@ bool is_in_state(const FleetRobot& robot, const std::string& state) {
   return false;
 }
 
+bool has_state(const flow::Program& program, const std::string& state) {
+  for (std::uint32_t i = 0; i < program.sequence_count(); ++i) {
+    const std::vector<std::string>& names = program.state_names(i);
+    if (std::ranges::find(names, state) != names.end()) return true;
+  }
+  return false;
+}
+
+// Why none of these (0: any) can be in it. A program that is not known here may have whatever state.
+std::optional<std::string> why_no_state(const run::MissionRun& run, std::uint32_t robot_id,
+                                        const std::string& state) {
+  bool is_known = false;
+  for (const FleetRobot& robot : run.fleet().robots()) {
+    const flow::Program* const program = robot.workings().program;
+    if ((robot_id != 0 && robot.id.value != robot_id) || program == nullptr) continue;
+    if (has_state(*program, state)) return std::nullopt;
+    is_known = true;
+  }
+  if (!is_known) return std::nullopt;
+  return robot_id == 0 ? fmt::format("no program of this run has a state `{}`", clean(state))
+                       : fmt::format("the program of robot {} has no state `{}`", robot_id, clean(state));
+}
+
 // As the console shows a heading: 0 to 360.
 double degrees_shown(double heading) {
   const double degrees = base::degrees(heading);
@@ -263,8 +286,9 @@ struct Sentence::Reader {
     }
     if (!skip("state")) return expected("`contact` or `state`");
     if (peek().empty()) return expected("the name of a state");
-    out.test_ = [state = std::string(take())](const run::MissionRun&,
-                                              const FleetRobot& robot) -> std::optional<std::string> {
+    out.state_ = std::string(take());
+    out.test_ = [state = out.state_](const run::MissionRun&,
+                                     const FleetRobot& robot) -> std::optional<std::string> {
       if (!is_in_state(robot, state)) return std::nullopt;
       return fmt::format("robot {} came into state {}", robot.id.value, clean(state));
     };
@@ -345,6 +369,7 @@ std::optional<std::string> Sentence::why_never(const run::MissionRun& run) const
     return fmt::format("there is no robot {}", robot_);
   if (!place_.empty() && find_place(run, place_) == nullptr)
     return fmt::format("the map has no place `{}`", clean(place_));
+  if (!state_.empty()) return why_no_state(run, robot_, state_);
   if (!breakpoint_ || !breakpoint_->has_condition()) return std::nullopt;
   const Breakpoint::Condition& asked = breakpoint_->condition();
   return number_of(asked.value()) ? why_no_number(run, robot_, asked.port()) : std::nullopt;

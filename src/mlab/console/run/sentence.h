@@ -42,7 +42,7 @@ class Sentence {
   static std::expected<Sentence, std::string> parse(std::string_view text);
   /// What it says of a port or a transition: who knows breakpoints looks for it. Else `look` does.
   const std::optional<Breakpoint>& breakpoint() const { return breakpoint_; }
-  /// Why it can never be true of that run, as far as robots, places and numbers go.
+  /// Why it can never be true of that run, as far as robots, places, states and numbers go.
   std::optional<std::string> why_never(const run::MissionRun& run) const;
 
   struct Met {
@@ -62,6 +62,7 @@ class Sentence {
 
   std::uint32_t robot_ = 0;  // 0: any
   std::string place_;        // of the map, that it names
+  std::string state_;        // that it names, which a robot is to come into
   bool is_contact_ = false;
   Test test_;
   std::optional<Breakpoint> breakpoint_;  // in place of a test
