@@ -247,7 +247,8 @@ TEST_F(Planned, ALineIsFollowedToItsEndHoweverItIsDrawn) {
 TEST_F(Planned, AWayOfManyCornersIsGoneToItsEndHoweverSlowly) {
   std::string shelves;
   for (int i = 1; i < 20; ++i)
-    shelves += fmt::format("WALL w{} {} {} {} {}\n", i, i % 2 == 1 ? 0 : 6, 12 * i, i % 2 == 1 ? 294 : 300, 12 * i);
+    shelves +=
+        fmt::format("WALL w{} {} {} {} {}\n", i, i % 2 == 1 ? 0 : 6, 12 * i, i % 2 == 1 ? 294 : 300, 12 * i);
   for (const char* goal : {"150 234", "145 233"}) {
     make_run("MISSION-AREA 300 240\n" + shelves +
              fmt::format("{}UNIT <team> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT team START 10 6 0 2\n"
@@ -261,7 +262,9 @@ TEST_F(Planned, AWayOfManyCornersIsGoneToItsEndHoweverSlowly) {
 
 // Whose stations are by the wall all along go in file there, and leave nothing out.
 TEST_F(Planned, ALineRoundAHouseIsFollowedByThoseOnTheSideOfItsWallToo) {
-  roads_ = "WALL House 150 100 250 100 250 200 150 200 150 100\nROAD Round 120 94 256 94 256 206 144 206 144 110\n";
+  roads_ =
+      "WALL House 150 100 250 100 250 200 150 200 150 100\nROAD Round 120 94 256 94 256 206 144 206 144 "
+      "110\n";
   for (const char* formation : {"Diamond", "Wedge", "Column"}) {
     make_run(fmt::format(
         "MISSION-AREA 400 300\nOVERLAY road.odl\nNEW-ROBOT planner robot blue \"\" (formation_spacing = 5)\n"

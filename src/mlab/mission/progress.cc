@@ -192,7 +192,7 @@ bool is_taken(const State& state, const Run& run) {
 void settle_rallies(Turn& turn, std::span<const RobotReport> reports) {
   constexpr double kSettles = 5.0;  // so long nobody came nearer [s]
   constexpr double kSettlesUnknown = 30.0;
-  constexpr double kBeside = 5.0;   // who was so much nearer has left again [m]
+  constexpr double kBeside = 5.0;  // who was so much nearer has left again [m]
   State& s = turn.state;
   const auto is_beside = [&](const RobotReport& report, std::uint32_t run) {
     const RobotState* robot = find_robot(s, report.id);

@@ -112,8 +112,9 @@ std::string warning_of(const ways::Coverage& found, const UnitCommand& command, 
     case End::kUnusable:
       return fmt::format("nothing of {} can be searched: it is closed off, or too near to obstacles", name);
     case End::kTooLarge:
-      return fmt::format("{} is too large for a swath of {:g} m: it is not searched; choose a wider one, or divide it",
-                         name, command.swath);
+      return fmt::format(
+          "{} is too large for a swath of {:g} m: it is not searched; choose a wider one, or divide it", name,
+          command.swath);
     case End::kCovered:
     case End::kPartly:
       break;

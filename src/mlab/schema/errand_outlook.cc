@@ -82,8 +82,8 @@ std::optional<std::size_t> look_at_next(const Percepts& percepts, double radius,
   const auto route = percepts.order.route;
   if (outlook.looked_at < route.size()) {
     const std::size_t number = outlook.looked_at++;
-    const bool leads =
-        !plan_way(percepts.ground, way_begin(percepts, radius), route[number], radius, margin).is_closed_off();
+    const bool leads = !plan_way(percepts.ground, way_begin(percepts, radius), route[number], radius, margin)
+                            .is_closed_off();
     outlook.leads_out = outlook.leads_out || leads;
     if (leads) return number;
     outlook.closed.add(number % kMostErrands);

@@ -170,8 +170,7 @@ RouteWay route_way(const percept::KnownGround& ground, geom::Point from, std::sp
     if (leg.end == WayEnd::kFull) out.append_beyond(leg.length_beyond(), leg.whole_last());
     if (is_last) {
       out.set_whole_end(leg.whole_end());
-    } else if ((legs > kMostLegs && out.count >= 2) ||
-               (out.end == WayEnd::kFull && ++beyond > kMostBeyond)) {
+    } else if ((legs > kMostLegs && out.count >= 2) || (out.end == WayEnd::kFull && ++beyond > kMostBeyond)) {
       const auto rest = corners.subspan(i + 1);
       out.append_beyond(distance(here, rest.front()) + route_length(rest), rest.back());
       return found;

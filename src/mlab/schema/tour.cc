@@ -84,8 +84,7 @@ const std::vector<Polyline>& legs_of(const Percepts& percepts, double radius, do
   for (const geom::Point& place : tour) {
     const ways::PlannedWay way = plan_way(percepts.ground, from, place, radius, margin);
     const auto points = way.points();
-    known.all.push_back(way.is_closed_off() ? Polyline{from, place}
-                                            : Polyline(points.begin(), points.end()));
+    known.all.push_back(way.is_closed_off() ? Polyline{from, place} : Polyline(points.begin(), points.end()));
     if (way.end == ways::WayEnd::kFull) known.all.back().push_back(way.whole_last());
     from = known.all.back().back();
   }

@@ -99,16 +99,18 @@ TEST(PlanWay, GoesOnWhereItIsTooLongToBeToldAlsoToAGoalThatSomethingStandsOn) {
     EXPECT_LT(distance(way.whole_last(), goal), 2.0) << "where all of it ends";
     EXPECT_NEAR(way_length(way) + way.length_beyond(), 46 * 194.0, 46 * 4.0 + 200.0);
   }
-  EXPECT_EQ(plan_way(known.ground(), {2.0, 100.0}, {188.1, 100.0}, 0.2, 0.1).whole_end(), WayEnd::kBesideGoal);
+  EXPECT_EQ(plan_way(known.ground(), {2.0, 100.0}, {188.1, 100.0}, 0.2, 0.1).whole_end(),
+            WayEnd::kBesideGoal);
 }
 
 TEST(PlanWay, SaysThatNoWayLeadsThereAlsoWhereItIsTooLongToBeTold) {
   Known known;
   for (int i = 1; i < 48; ++i)
     known.walls.push_back({{4.0 * i, i % 2 == 0 ? 3.0 : 0.0}, {4.0 * i, i % 2 == 0 ? 200.0 : 197.0}});
-  for (const auto& [a, b] : std::initializer_list<std::pair<Point, Point>>{
-           {{192.0, 80.0}, {198.0, 80.0}}, {{198.0, 80.0}, {198.0, 120.0}}, {{198.0, 120.0}, {192.0, 120.0}},
-           {{192.0, 120.0}, {192.0, 80.0}}})
+  for (const auto& [a, b] : std::initializer_list<std::pair<Point, Point>>{{{192.0, 80.0}, {198.0, 80.0}},
+                                                                           {{198.0, 80.0}, {198.0, 120.0}},
+                                                                           {{198.0, 120.0}, {192.0, 120.0}},
+                                                                           {{192.0, 120.0}, {192.0, 80.0}}})
     known.walls.push_back({a, b});
   known.revision = next_revision();
   const Point goal{195.0, 100.0};
@@ -236,8 +238,7 @@ TEST(PlaceOnWay, IsOnTheWayWhereItWouldMoveOnTooFar) {
   way.end = WayEnd::kGoal;
   const Point here{30.0, 45.0};
   const auto place = [&](double most) {
-    return place_on_way(
-        known.ground(), way, {0.0, 10.0, 0.0}, [] { return 0.0; }, 25.0, here, 7.0, most);
+    return place_on_way(known.ground(), way, {0.0, 10.0, 0.0}, [] { return 0.0; }, 25.0, here, 7.0, most);
   };
   EXPECT_GT(place(1e300).place.x, 180.0) << "where nothing stands at its station";
   EXPECT_EQ(place(36.0).place.y, 40.0);
