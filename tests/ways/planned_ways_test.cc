@@ -274,7 +274,8 @@ TEST_F(Planned, ALineRoundAHouseIsFollowedByThoseOnTheSideOfItsWallToo) {
     EXPECT_TRUE(go(6'000)) << formation << "\n" << told_;
     EXPECT_EQ(contacts(), 0U);
     for (const fleet::FleetRobot& robot : run_->fleet().robots())
-      EXPECT_GT(run_->fleet().driven(robot), 350.0) << formation << ", robot " << robot.id.value;
+      EXPECT_GT(run_->world().body(robot.body).distance_driven, 350.0)
+          << formation << ", robot " << robot.id.value;
     told_.clear();
   }
 }
