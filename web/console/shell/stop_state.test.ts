@@ -1,7 +1,7 @@
 import { create } from "@bufbuild/protobuf";
 import { expect, test } from "vitest";
 import { Status_Mode, StatusSchema } from "../../core/protocol.ts";
-import { stopState, stopWords } from "./stop_state.ts";
+import { isTaken, stopState, stopWords } from "./stop_state.ts";
 
 const running = create(StatusSchema, { mode: Status_Mode.RUNNING });
 const stopped = (standing: number, robots = 4) =>
@@ -19,6 +19,13 @@ test("a stop that was sent is not confirmed before the run says so, robot by rob
   expect(stopWords(stopState(running, true, false))).toBe("sent, not confirmed");
   expect(stopWords(stopState(stopped(1), true, false))).toBe("1 of 4 stand");
   expect(stopWords(stopState(stopped(4), true, false))).toBe("confirmed: all 4 stand");
+});
+
+test("a stop that a machine never confirms has been taken all the same, so that nobody sends it again", () => {
+  const stop = { standing: 4, robots: 4, unreached: ["south"] };
+  expect(isTaken(stopState(create(StatusSchema, { mode: Status_Mode.STOPPED, stop }), true, false))).toBe(true);
+  expect(isTaken(stopState(running, true, false))).toBe(false);
+  expect(isTaken(stopState(stopped(4), true, true)), "by what was said before it").toBe(false);
 });
 
 test("what a silent server said before confirms nothing", () => {

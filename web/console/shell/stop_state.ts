@@ -21,6 +21,11 @@ export function stopState(status: Status | null, isSent: boolean, isSilent: bool
   return { kind: isConfirmed ? "confirmed" : "stopping", standing, robots, unreached };
 }
 
+/** Whether the server has taken the stop: what comes of it is the run's, and a release ends it. */
+export function isTaken({ kind }: StopState): boolean {
+  return kind === "stopping" || kind === "confirmed";
+}
+
 /** On the button itself. */
 export function stopWords({ kind, standing, robots, unreached }: StopState): string {
   switch (kind) {
