@@ -216,6 +216,11 @@ int serve(agents::AgentSettings settings, const NetworkOptions& options, const M
     if (!network && was_interrupted()) return kDone;
     if (!network) {
       fmt::print(stderr, "{}: {}\n", words.command, network.error());
+      // Withdrawn, or run out: it leaves on purpose, and nobody is to miss it.
+      if (!is_first) {
+        settings.log->add(network.error());
+        last_seen.end();
+      }
       return kBadInput;
     }
     // What could not be read by the clock of before is no news.

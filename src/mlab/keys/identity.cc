@@ -122,6 +122,9 @@ std::expected<Identity, std::string> check_identity(const fs::path& folder, cons
 
 bool WithdrawalWatch::has_changed() {
   if (folder_.empty()) return false;
+  std::error_code failure;
+  const bool was_there = std::exchange(is_there_, fs::exists(folder_ / kCertificateFile, failure));
+  if (was_there && !is_there_) return true;
   auto now = read_file(folder_ / kWithdrawnFile);
   const auto authority = read_file(folder_ / kAuthorityFile);
   if (!now || !authority || *now == seen_ || !check_list(*now, *authority)) return false;

@@ -58,12 +58,14 @@ class WithdrawalWatch {
   /// @param folder  of an identity; empty: nothing is watched
   explicit WithdrawalWatch(std::filesystem::path folder) : folder_(std::move(folder)) { has_changed(); }
 
-  /// Whether it has changed since the last call, or the begin. Reads two small files.
+  /// Whether it has changed since the last call, or the begin, or the identity itself is there no more. Reads
+  /// two small files.
   bool has_changed();
 
  private:
   std::filesystem::path folder_;
   std::string seen_;
+  bool is_there_ = false;  // the identity, at the last call
 };
 
 }  // namespace mlab::keys

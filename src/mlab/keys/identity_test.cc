@@ -117,6 +117,14 @@ TEST_F(IdentityFolder, IsRefusedOnceItIsOnTheListOfThoseWhoWereWithdrawn) {
   EXPECT_TRUE(complains(problem(kept), kCertificateFile, "was withdrawn")) << problem(kept);
 }
 
+TEST_F(IdentityFolder, IsNoticedOnceWhereItIsTakenAway) {
+  WithdrawalWatch watch(add("north"));
+  EXPECT_FALSE(watch.has_changed());
+  ASSERT_TRUE(keys().withdraw("north"));
+  EXPECT_TRUE(watch.has_changed());
+  EXPECT_FALSE(watch.has_changed());
+}
+
 TEST(Certificates, ThatAreOutOfDateSaySinceWhen) {
   const auto authority = make_authority("authority@alpha", valid_for_days(10));
   ASSERT_TRUE(authority) << authority.error();
