@@ -476,10 +476,10 @@ TEST_F(RobotProgramsTest, OneThatIsClosedOrWithoutAnAgentTellsWhoWantsItInAFleet
   const std::string folder = shared_folder.string();
   EXPECT_EQ(said(folder + "/closed --fleet alpha --name f1"),
             "2 walker: is closed (mlab build --closed), and a run has to see how a member is made\n");
-  EXPECT_EQ(
-      said("MLAB_AGENT=/nowhere/mlab-agent " + folder + "/walker --fleet alpha"),
-      "2 walker: --fleet needs mlab-agent, of the package missionlab-agent, and it is neither beside this "
-      "file nor in PATH; MLAB_AGENT names its path (/nowhere/mlab-agent: No such file or directory)\n");
+  EXPECT_EQ(said("MLAB_AGENT=/nowhere/mlab-agent " + folder + "/walker --fleet alpha"),
+            "2 walker: --fleet needs mlab, or mlab-agent of the package missionlab-agent, and neither is "
+            "beside this "
+            "file or in PATH; MLAB_AGENT names its path (/nowhere/mlab-agent: No such file or directory)\n");
   EXPECT_EQ(
       said("MLAB_AGENT=" + folder + "/walker " + folder + "/walker --fleet alpha"),
       "2 walker: takes no --offer, it offers itself; where nobody said that, MLAB_AGENT or PATH names a "

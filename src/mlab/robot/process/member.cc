@@ -83,10 +83,19 @@ int become_member(const RobotProgramText& text, std::span<char* const> arguments
     if (((errno != ENOENT && errno != ENOTDIR) || is_named) && why.empty())
       why = fmt::format(" ({}: {})", place, std::generic_category().message(errno));
   }
-  fmt::print(stderr,
-             "{}: --fleet needs mlab-agent, of the package missionlab-agent, and it is neither beside this "
-             "file nor in PATH; MLAB_AGENT names its path{}\n",
-             text.name, why);
+  // The whole of missionlab has an agent, too.
+  if (variable("MLAB_AGENT").empty()) {
+    std::string mlab = "mlab";
+    std::string agent = "agent";
+    words[0] = agent.data();
+    words.insert(words.begin(), mlab.data());
+    ::execvp(mlab.c_str(), words.data());
+  }
+  fmt::print(
+      stderr,
+      "{}: --fleet needs mlab, or mlab-agent of the package missionlab-agent, and neither is beside this "
+      "file or in PATH; MLAB_AGENT names its path{}\n",
+      text.name, why);
   return kNoMember;
 }
 
