@@ -26,7 +26,7 @@ constexpr std::size_t kMostRobots = 12;
 
 using mission::effect::Tell;
 
-constexpr std::size_t kMostCharacters = 300;  // of a line that a mission's author had a hand in
+constexpr std::size_t kMostCharacters = 600;  // of a line that a mission's author had a hand in
 
 constexpr RepeatedWarnings::Limits kUsual{1000, 1000};
 constexpr RepeatedWarnings::Limits kQuietly{3, 30};
