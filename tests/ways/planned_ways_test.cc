@@ -245,16 +245,16 @@ TEST_F(Planned, ALineIsFollowedToItsEndHoweverItIsDrawn) {
 
 // Between shelves: the way has more corners than one can tell at once, and is ten times as long as it looks.
 TEST_F(Planned, AWayOfManyCornersIsGoneToItsEndHoweverSlowly) {
-  std::string shelves;
   for (int i = 1; i < 20; ++i)
-    shelves +=
-        fmt::format("WALL w{} {} {} {} {}\n", i, i % 2 == 1 ? 0 : 6, 12 * i, i % 2 == 1 ? 294 : 300, 12 * i);
-  for (const char* goal : {"150 234", "145 233"}) {
-    make_run("MISSION-AREA 300 240\n" + shelves +
-             fmt::format("{}UNIT <team> ROBOT ROBOT\nCOMMAND LIST:\n0. UNIT team START 10 6 0 2\n"
-                         "1. UNIT team MOVETO {} FORMATION Column SPEED 1\n",
-                         goal[1] == '5' ? "" : "OBSTACLE 145 233 2\n", goal));
-    EXPECT_TRUE(go(80'000)) << goal << "\n" << told_;
+    roads_ += i % 2 == 1 ? fmt::format("WALL w{0} 0 {1} 294 {1}\n", i, 12 * i)
+                         : fmt::format("WALL w{0} 6 {1} 300 {1}\n", i, 12 * i);
+  const std::string walls = roads_;
+  for (const char* rock : {"", "OBSTACLE 150 234 2\n"}) {
+    roads_ = walls + rock;
+    make_run(
+        "MISSION-AREA 300 240\nOVERLAY road.odl\nUNIT <team> ROBOT ROBOT\nCOMMAND LIST:\n"
+        "0. UNIT team START 10 6 0 2\n1. UNIT team MOVETO 150 234 FORMATION Column SPEED 1\n");
+    EXPECT_TRUE(go(80'000)) << rock << "\n" << told_;
     EXPECT_EQ(contacts(), 0U);
     told_.clear();
   }

@@ -187,12 +187,10 @@ bool is_taken(const State& state, const Run& run) {
          });
 }
 
-// RALLYs at such places whose robots come no nearer, and say of themselves that they are there, are done; and
-// after a longer while those at places where they may have found what the map does not show.
+// RALLYs at such places whose robots come no nearer, and say of themselves that they are there, are done.
 void settle_rallies(Turn& turn, std::span<const RobotReport> reports) {
   constexpr double kSettles = 5.0;  // so long nobody came nearer [s]
-  constexpr double kSettlesUnknown = 30.0;
-  constexpr double kBeside = 5.0;  // who was so much nearer has left again [m]
+  constexpr double kBeside = 5.0;   // who was so much nearer has left again [m]
   State& s = turn.state;
   const auto is_beside = [&](const RobotReport& report, std::uint32_t run) {
     const RobotState* robot = find_robot(s, report.id);
@@ -207,16 +205,13 @@ void settle_rallies(Turn& turn, std::span<const RobotReport> reports) {
     if (run.command->task != Task::kRally || !needs_patience(run) || run.stalled < kSettles) continue;
     const auto beside =
         std::ranges::count_if(reports, [&](const RobotReport& report) { return is_beside(report, i); });
-    if (static_cast<std::uint32_t>(beside) < run.missing) continue;
-    const bool is_known = is_taken(s, run);
-    if (!is_known && run.stalled < kSettlesUnknown) continue;
-    const bool is_outside = !s.mission->overlay.mission_area().contains(run.command->goal);
+    if (static_cast<std::uint32_t>(beside) < run.missing || !is_taken(s, run)) continue;
     message(turn,
-            fmt::format("{}: {}its robots are as near to {} as they come", s.commands[run.record].text,
-                        is_outside ? "the mission area ends before the place; "
-                        : is_known ? "something stands at the place; "
-                                   : "",
-                        is_outside || is_known ? "it" : "the place"),
+            fmt::format("{}: {} the place; its robots are as near to it as they come",
+                        s.commands[run.record].text,
+                        s.mission->overlay.mission_area().contains(run.command->goal)
+                            ? "something stands at"
+                            : "the mission area ends before"),
             run.owner);
     mark_done_for_all(s, i);
   }
