@@ -121,7 +121,7 @@ TEST_F(ResumptionTest, GoesOnWithTheLastTextWithoutErrors) {
   anna.watch_for(0.5);
   EXPECT_FALSE(anna.has_log("the mission was changed meanwhile"));
   const auto restored = std::ranges::find_if(anna.log(), [](const Log::Entry& entry) {
-    return entry.text().find("restored the unsaved text of far.mdl") != std::string::npos;
+    return entry.text().find("restored the unsaved text of `far.mdl`") != std::string::npos;
   });
   ASSERT_NE(restored, anna.log().end());
   EXPECT_GT(restored->time(), 3.0) << "it stands where the run does";
