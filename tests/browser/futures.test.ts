@@ -52,7 +52,7 @@ test("of a run that goes on: another order is computed beside it, shown as ghost
   await asked.getByRole("img", { name: /Distance between the same robot in both/ }).waitFor();
   await goTo(console, "22", 22);
   await expect.poll(() => console.drawnOnTop()).toBeGreaterThan(before + 200);
-  expect(await asked.getByRole("row", { name: /Robot 1/ }).textContent()).toMatch(/ m at 0:/);
+  expect(await asked.getByRole("row", { name: /^Robot 1 / }).textContent()).toMatch(/ m at 0:/);
 
   // Where they part is a moment to go to.
   await asked.getByRole("status").getByRole("button").click();
