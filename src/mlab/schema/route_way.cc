@@ -159,14 +159,12 @@ RouteWay route_way(const percept::KnownGround& ground, geom::Point from, std::sp
       continue;
     }
     const auto points = is_last ? leg.points() : as_far_as_free(ground, leg, corners[i]);
+    if (leg.count > 0 && out.end != WayEnd::kFull) out.clearance = std::min(out.clearance, leg.clearance);
     for (const geom::Point& point : points) {
       if (&point == &points.back()) passed = i + 1;
       line.go_on(point, leg.clearance, passed);
     }
-    if (leg.count > 0) {
-      out.clearance = std::min(out.clearance, leg.clearance);
-      here = leg.end == WayEnd::kFull ? leg.whole_last() : points.back();
-    }
+    if (leg.count > 0) here = leg.end == WayEnd::kFull ? leg.whole_last() : points.back();
     if (leg.end == WayEnd::kFull) out.append_beyond(leg.length_beyond(), leg.whole_last());
     if (is_last) {
       out.set_whole_end(leg.whole_end());
@@ -194,7 +192,7 @@ std::optional<RouteWay> go_on_along_route(const percept::KnownGround& ground, co
   constexpr std::size_t kMostBehind = PlannedWay::kMostCorners / 3;
   const geom::Point here = point_on(before, at);
   RouteWay out = route_way(ground, here, corners, radius, margin, PlannedWay::kMostCorners - kMostBehind);
-  const bool is_closed = out.way.end == WayEnd::kClosedOff || out.way.end == WayEnd::kNowhere;
+  const bool is_closed = out.way.end != WayEnd::kFull && out.way.is_closed_off();
   if (out.way.count < 2 || (is_closed && !out.left_out.empty())) return std::nullopt;
   const PlannedWay ahead = out.way;
   std::array<geom::Point, kMostBehind> behind;
@@ -208,10 +206,7 @@ std::optional<RouteWay> go_on_along_route(const percept::KnownGround& ground, co
     out.way.passed[out.way.count - 1U] = ahead.passed[i];
   }
   out.behind = at - cut_at;
-  out.way.end = ahead.end;
-  out.way.end_beyond = ahead.end_beyond;
-  out.way.beyond = ahead.beyond;
-  out.way.last_beyond = ahead.last_beyond;
+  out.way.end_as(ahead);
   out.way.cut_off = static_cast<float>(std::max(0.0, cut_at));
   out.way.length = route_length(out.way.points());
   return out;

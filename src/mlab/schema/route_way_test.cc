@@ -63,6 +63,25 @@ TEST(RouteWay, SaysHowMuchOfTheRouteIsBeyondItsEnd) {
   EXPECT_NEAR(way_length(found.way) + found.way.beyond, route_length(route), 0.1);
 }
 
+// A gap that lies far beyond what the way can tell; the corners before it, zigzag, take all of its room.
+TEST(RouteWay, KeepsItsDistanceWhateverIsBeyondItsEnd) {
+  std::vector<Point> route;
+  for (int i = 0; i < 60; ++i) route.push_back({20.0 * i, i % 2 == 0 ? 0.0 : 40.0});
+  route.push_back({1400.0, 20.0});
+  const std::vector<geom::Segment> walls = {{{1300.0, -500.0}, {1300.0, 19.0}},
+                                            {{1300.0, 21.0}, {1300.0, 500.0}}};
+  percept::KnownGround ground;
+  ground.revision = 1'000'011;
+  ground.walls = walls;
+  ground.bounds = {-100.0, -500.0, 1500.0, 500.0};
+  const RouteWay found = plan_route(ground, route.front(), route, kRadius, kMargin);
+  ASSERT_EQ(found.way.end, WayEnd::kFull);
+  EXPECT_EQ(found.way.whole_end(), WayEnd::kGoal);
+  EXPECT_EQ(found.way.whole_last(), route.back());
+  EXPECT_NEAR(way_length(found.way) + found.way.length_beyond(), route_length(route), 5.0);
+  EXPECT_DOUBLE_EQ(found.way.clearance, kRadius + kMargin);
+}
+
 TEST(RouteWay, GoesOnAlongItsLineToTheEnd) {
   const std::vector<Point> route = spiral(200);
   RouteWay now = along(route);

@@ -56,13 +56,17 @@ struct PlannedWay {
     length = other.length;
     count = other.count;
     version = other.version;
+    end_as(other);
+    cut_off = other.cut_off;
+    std::ranges::copy(other.points(), corners.begin());
+    std::copy_n(other.passed.begin(), other.points().size(), passed.begin());
+  }
+  /// Ends where another one ends, with what that has no room for.
+  void end_as(const PlannedWay& other) {
     end = other.end;
     end_beyond = other.end_beyond;
     beyond = other.beyond;
     last_beyond = other.last_beyond;
-    cut_off = other.cut_off;
-    std::ranges::copy(other.points(), corners.begin());
-    std::copy_n(other.passed.begin(), other.points().size(), passed.begin());
   }
   /// Goes on to a corner, unless it is there. Where there is no room it ends full, and what comes then counts
   /// as what is beyond.
