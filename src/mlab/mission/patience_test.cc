@@ -125,6 +125,15 @@ TEST_F(Patience, IsShortWithAUnitOfWhichNobodyIsLeft) {
   EXPECT_EQ(fleet.state().commands[2].failure, Failure::kNobodyLeft);
 }
 
+TEST_F(Patience, IsShortWithAUnitThatWasStopped) {
+  maker_.step({stop(a_)});
+  const ToyFleet& fleet = run(25.0);
+  EXPECT_TRUE(fleet.state().in_step) << fleet.transcript();
+  fleet_->run(10.0);
+  EXPECT_NEAR(fleet.time(), 30.0, 1.0);
+  EXPECT_TRUE(fleet.has_told("unit a MOVETO A failed: none of its robots runs")) << fleet.transcript();
+}
+
 TEST_F(Patience, IsNotGainedByWhoComesNearerWithinThePlaceOfARally) {
   UnitCommand rally = command(a_, Task::kRally, "A", {1000, 5});
   rally.radius = 995;
