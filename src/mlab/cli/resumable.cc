@@ -22,8 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kJournals = "journals";
-constexpr std::string_view kExamples = "examples:";
-constexpr std::string_view kOutside = "outside:";
 
 bool is_below(const std::string& path, const std::string& folder) {
   const fs::path whole(path);
@@ -76,10 +74,11 @@ std::string journal_folder(const std::string& project) {
 
 std::string mission_file(const journal::Unfinished& run) {
   const std::string& mission = run.stand.session.mission();
-  const fs::path path = mission.starts_with(kExamples)
-                            ? fs::path(example_folder()) / mission.substr(kExamples.size())
-                        : mission.starts_with(kOutside) ? fs::path(mission.substr(kOutside.size()))
-                                                        : fs::path(run.stand.session.project()) / mission;
+  const fs::path path = mission.starts_with(documents::kExampleFiles)
+                            ? fs::path(example_folder()) / mission.substr(documents::kExampleFiles.size())
+                        : mission.starts_with(documents::kOutsideFiles)
+                            ? fs::path(mission.substr(documents::kOutsideFiles.size()))
+                            : fs::path(run.stand.session.project()) / mission;
   std::error_code none;
   return fs::is_regular_file(path, none) ? path.string() : "";
 }

@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kExamples = "examples:";
-constexpr std::string_view kOutside = "outside:";
 constexpr std::size_t kLongestPath = 1000;
 
 std::string canonical(const std::string& folder) {
@@ -79,8 +77,8 @@ std::string ProjectFolder::name() const {
 
 std::optional<ProjectFolder::Location> ProjectFolder::locate(std::string_view path) const {
   std::string root = project_;
-  if (path.starts_with(kExamples)) {
-    path.remove_prefix(kExamples.size());
+  if (path.starts_with(kExampleFiles)) {
+    path.remove_prefix(kExampleFiles.size());
     root = examples_;
   }
   if (root.empty()) return std::nullopt;
@@ -93,7 +91,7 @@ text::Result<std::vector<ProjectFolder::Entry>> ProjectFolder::list(std::string_
   std::string prefix(folder);
   std::string root = project_;
   std::vector<std::string> parts;
-  if (folder == kExamples) {
+  if (folder == kExampleFiles) {
     root = examples_;
   } else if (!folder.empty()) {
     const auto location = locate(folder);
@@ -135,8 +133,8 @@ void ProjectFolder::find(std::string_view folder, std::string_view ending, int d
 }
 
 bool ProjectFolder::is_file(std::string_view path) const {
-  if (path.starts_with(kOutside)) {
-    const std::string file(path.substr(kOutside.size()));
+  if (path.starts_with(kOutsideFiles)) {
+    const std::string file(path.substr(kOutsideFiles.size()));
     std::error_code unreadable;
     return holds(outside_, file) && fs::is_regular_file(file, unreadable);
   }
@@ -156,9 +154,9 @@ bool ProjectFolder::is_writable(std::string_view path) const {
 }
 
 text::Result<std::string> ProjectFolder::read(std::string_view path) const {
-  if (path.starts_with(kOutside)) {
+  if (path.starts_with(kOutsideFiles)) {
     if (!is_file(path)) return refused("cannot-read", fmt::format("there is no file {}", shown(path)));
-    const auto source = text::read_source(std::string(path.substr(kOutside.size())));
+    const auto source = text::read_source(std::string(path.substr(kOutsideFiles.size())));
     if (!source) return std::unexpected(source.error());
     return std::string((*source)->text());
   }
@@ -173,8 +171,9 @@ text::Result<std::string> ProjectFolder::read(std::string_view path) const {
 }
 
 std::string ProjectFolder::beginning(std::string_view path) const {
-  if (path.starts_with(kOutside))
-    return is_file(path) ? text::files_on_disk().beginning(std::string(path.substr(kOutside.size()))) : "";
+  if (path.starts_with(kOutsideFiles))
+    return is_file(path) ? text::files_on_disk().beginning(std::string(path.substr(kOutsideFiles.size())))
+                         : "";
   const auto location = locate(path);
   if (!location) return "";
   std::string out;
@@ -208,17 +207,17 @@ std::optional<std::string> ProjectFolder::name_of(const std::string& disk_path) 
   std::error_code odd;
   const std::string path = fs::absolute(disk_path, odd).lexically_normal().string();
   for (const auto& [root, prefix] :
-       {std::pair(&project_, std::string_view()), std::pair(&examples_, kExamples)}) {
+       {std::pair(&project_, std::string_view()), std::pair(&examples_, kExampleFiles)}) {
     if (root->empty() || !path.starts_with(*root + '/')) continue;
     std::string name = std::string(prefix) + path.substr(root->size() + 1);
     if (locate(name)) return name;
   }
-  if (holds(outside_, path)) return std::string(kOutside) + path;
+  if (holds(outside_, path)) return std::string(kOutsideFiles) + path;
   return std::nullopt;
 }
 
 std::string ProjectFolder::disk_path(std::string_view path) const {
-  if (path.starts_with(kOutside)) return std::string(path.substr(kOutside.size()));
+  if (path.starts_with(kOutsideFiles)) return std::string(path.substr(kOutsideFiles.size()));
   const auto location = locate(path);
   if (!location) return "";
   std::string out = location->root;

@@ -9,6 +9,10 @@
 
 namespace mlab::documents {
 
+/// How names begin of files of the examples, and of files outside of the project.
+inline constexpr std::string_view kExampleFiles = "examples:";
+inline constexpr std::string_view kOutsideFiles = "outside:";
+
 /// The files that a console may touch, by the names that the browser knows them by.
 ///
 /// - `scouts/left.mdl`: inside the project folder, read and written;

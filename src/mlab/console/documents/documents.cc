@@ -146,8 +146,10 @@ text::Result<bool> OpenDocuments::open_on_disk(const std::string& disk_path, dou
 }
 
 bool OpenDocuments::is_there(const std::string& path) const {
-  constexpr std::string_view kOutside = "outside:";  // may be allowed only when it is opened
-  if (path.starts_with(kOutside) && text::files_on_disk().is_file(path.substr(kOutside.size()))) return true;
+  // It may be allowed only when it is opened.
+  if (path.starts_with(documents::kOutsideFiles) &&
+      text::files_on_disk().is_file(path.substr(documents::kOutsideFiles.size())))
+    return true;
   return project_.is_file(path) || store_.drafts().find(path).has_value();
 }
 
